@@ -1,0 +1,108 @@
+"""Hard-finger contacts and their grasp maps.
+
+Frame: the object's body frame B, SI. A wrench is (force, moment), the moment taken about the reference
+point p_o, in the axes of B. The plane is the case d = 2, D = 3 of the same formulas (space: d = 3, D = 6).
+Source: Watanabe and Yoshikawa, eq. (1)-(3).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.errors import ContactError
+
+UNIT_TOLERANCE = 1e-6
+"""Largest accepted deviation of a normal's length from one."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Contacts:
+    """Point contacts with friction on the surface of a rigid object.
+
+    Raises:
+        ContactError: On shapes that do not match, values that are not finite, normals that are not unit
+            vectors, or friction that is not positive.
+    """
+
+    points: np.ndarray
+    """Contact points, shape (contacts, d), d = 2 or 3 [m]."""
+
+    normals: np.ndarray
+    """Inward unit normals, shape (contacts, d)."""
+
+    friction: np.ndarray
+    """Coulomb coefficients, shape (contacts,)."""
+
+    def __post_init__(self) -> None:
+        if self.points.ndim != 2 or self.points.shape[1] not in (2, 3):
+            raise ContactError(f"contact points have shape {self.points.shape}; expected (contacts, 2 or 3)")
+        if self.normals.shape != self.points.shape or self.friction.shape != self.points.shape[:1]:
+            raise ContactError(
+                f"normals {self.normals.shape} and friction {self.friction.shape} do not match points {self.points.shape}"
+            )
+        if not (np.isfinite(self.points).all() and np.isfinite(self.normals).all()):
+            raise ContactError("a contact point or normal is not finite")
+        if np.abs(np.linalg.norm(self.normals, axis=1) - 1).max(initial=0) > UNIT_TOLERANCE:
+            raise ContactError("a contact normal is not a unit vector")
+        if not (np.isfinite(self.friction) & (self.friction > 0)).all():
+            raise ContactError(f"friction must be positive and finite, got {self.friction.min(initial=np.inf)}")
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    @property
+    def dimension(self) -> int:
+        """Dimension d of the space the object lives in: 2 or 3."""
+        return int(self.points.shape[1])
+
+    def subset(self, indices: np.ndarray) -> "Contacts":
+        """The contacts at `indices`, shape (m,), in that order."""
+        return Contacts(points=self.points[indices], normals=self.normals[indices], friction=self.friction[indices])
+
+
+def wrench_dimension(dimension: int) -> int:
+    """Dimension D of wrench space: 3 in the plane, 6 in space."""
+    return 3 if dimension == 2 else 6
+
+
+def grasp_maps(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
+    """Grasp map G_i of each contact: a contact force f becomes the wrench G_i f = (f, (p_i - p_o) x f).
+
+    Source: Watanabe and Yoshikawa, eq. (2).
+
+    Args:
+        points: Contact points p_i, shape (contacts, d) [m].
+        reference_point: p_o, shape (d,) [m].
+
+    Returns:
+        Shape (contacts, D, d).
+    """
+    contacts, dimension = points.shape
+    arms = points - reference_point
+    maps = np.zeros((contacts, wrench_dimension(dimension), dimension))
+    maps[:, :dimension] = np.eye(dimension)
+    if dimension == 2:
+        maps[:, 2, 0], maps[:, 2, 1] = -arms[:, 1], arms[:, 0]
+    else:
+        x, y, z = arms.T
+        maps[:, 3, 1], maps[:, 3, 2] = -z, y
+        maps[:, 4, 0], maps[:, 4, 2] = z, -x
+        maps[:, 5, 0], maps[:, 5, 1] = -y, x
+    return maps
+
+
+def contact_frames(normals: np.ndarray) -> np.ndarray:
+    """Rotation R_BC of each contact frame: columns are the inward normal and its tangents.
+
+    Args:
+        normals: Inward unit normals, shape (contacts, d).
+
+    Returns:
+        Shape (contacts, d, d).
+    """
+    if normals.shape[1] == 2:
+        return np.stack([normals, np.stack([-normals[:, 1], normals[:, 0]], axis=1)], axis=2)
+    least_aligned = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    first = np.cross(normals, least_aligned)
+    first /= np.linalg.norm(first, axis=1, keepdims=True)
+    return np.stack([normals, first, np.cross(normals, first)], axis=2)

@@ -1,0 +1,41 @@
+"""The one error tree: everything that is the caller's to mend.
+
+Infeasible and out-of-time are statuses of a result, never exceptions. A message says what was wrong,
+its value, what is allowed and what to do.
+"""
+
+
+class RhograspError(Exception):
+    """Root of every error this project raises on purpose."""
+
+
+class ObjectError(RhograspError):
+    """The MJCF object cannot be read as one rigid body with a collision surface."""
+
+
+class CandidateError(RhograspError):
+    """The candidate contact points cannot be made, or are not on the surface."""
+
+
+class TaskError(RhograspError):
+    """The required external force set is empty, malformed or not finite."""
+
+
+class ContactError(RhograspError):
+    """Contact points, normals or friction coefficients are malformed."""
+
+
+class GraspFileError(RhograspError):
+    """A grasp file is missing, truncated, inconsistent, or of an unknown version."""
+
+
+class OutputError(RhograspError):
+    """A result cannot be written where the user asked."""
+
+
+class SolverError(RhograspError):
+    """A convex solver stopped without an answer or a certificate."""
+
+
+class SimulationError(RhograspError):
+    """MuJoCo cannot build or step the validation scene as planned."""

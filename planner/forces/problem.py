@@ -1,0 +1,87 @@
+"""The inner problem as data: the least largest fingertip force that balances one wrench.
+
+    phi(w) = min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= phi          (Subproblem 2)
+
+Its dual is the maximum of -lambda . w over the directions lambda with sum_i h_i(lambda) <= 1, where
+h_i(lambda) is the support function of G_i (K_i ∩ B). So every direction lambda proves
+
+    phi(w) >= -lambda . w / sum_i h_i(lambda),
+
+and one with sum_i h_i(lambda) = 0 < -lambda . w proves that no force balances w at all.
+Source: Watanabe and Yoshikawa, eq. (7).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.contacts import Contacts, grasp_maps
+from planner.friction_cone import components, support
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ForceProblem:
+    """Balance `wrench` with the contacts, the largest force as small as possible."""
+
+    contacts: Contacts
+    """The grasp, in the body frame."""
+
+    reference_point: np.ndarray
+    """p_o, shape (d,) [m]."""
+
+    wrench: np.ndarray
+    """External wrench w about p_o, shape (D,) [N, N m]."""
+
+    @property
+    def length(self) -> float:
+        """Largest distance of a contact from p_o [m]: makes moments comparable with forces."""
+        return float(np.linalg.norm(self.contacts.points - self.reference_point, axis=1).max()) or 1.0
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ForceSolution:
+    """Forces and the dual direction that proves them best, or that proves there are none."""
+
+    problem: ForceProblem
+
+    feasible: bool
+    """Whether some force in the cones balances the wrench."""
+
+    forces: np.ndarray
+    """Contact forces in the body frame, shape (contacts, d) [N]; NaN where infeasible."""
+
+    phi: float
+    """Largest force norm [N]; infinite where infeasible."""
+
+    direction: np.ndarray
+    """lambda, shape (D,): dual optimum, or infeasibility certificate; any positive scale."""
+
+    def balance_residual(self) -> float:
+        """|sum_i G_i f_i + w| with moments divided by the problem's length, relative to the size of w."""
+        problem = self.problem
+        dimension = problem.contacts.dimension
+        scale = np.ones(len(problem.wrench))
+        scale[dimension:] /= problem.length
+        maps = grasp_maps(problem.contacts.points, problem.reference_point)
+        residual = np.einsum("iDd,id->D", maps, self.forces) + problem.wrench
+        return float(np.linalg.norm(scale * residual) / (np.linalg.norm(scale * problem.wrench) or 1.0))
+
+    def cone_residual(self) -> float:
+        """Largest violation of a friction cone, relative to phi."""
+        contacts = self.problem.contacts
+        normal, tangential = components(self.forces, contacts.normals)
+        return float(np.maximum(tangential - contacts.friction * normal, -normal).max(initial=0) / (self.phi or 1.0))
+
+    def lower_bound(self) -> float:
+        """Bound on phi that the direction proves without trusting any solver [N]; infinite for a certificate."""
+        problem = self.problem
+        maps = grasp_maps(problem.contacts.points, problem.reference_point)
+        pulls = np.einsum("iDd,D->id", maps, self.direction)
+        capacity = support(pulls, problem.contacts.normals, problem.contacts.friction).sum()
+        load = -float(self.direction @ problem.wrench)
+        return load / capacity if capacity > 0 else (np.inf if load > 0 else 0.0)
+
+    def gap(self) -> float:
+        """phi / lower_bound - 1: how far the forces may be from the best."""
+        bound = self.lower_bound()
+        return self.phi / bound - 1 if bound > 0 and np.isfinite(self.phi) else 0.0
