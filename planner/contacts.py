@@ -38,7 +38,8 @@ class Contacts:
             raise ContactError(f"contact points have shape {self.points.shape}; expected (contacts, 2 or 3)")
         if self.normals.shape != self.points.shape or self.friction.shape != self.points.shape[:1]:
             raise ContactError(
-                f"normals {self.normals.shape} and friction {self.friction.shape} do not match points {self.points.shape}"
+                f"normals {self.normals.shape} and friction {self.friction.shape} "
+                f"do not match points {self.points.shape}"
             )
         if not (np.isfinite(self.points).all() and np.isfinite(self.normals).all()):
             raise ContactError("a contact point or normal is not finite")

@@ -38,7 +38,9 @@ def support(vectors: np.ndarray, normals: np.ndarray, friction: np.ndarray) -> n
     """
     normal, tangential = components(vectors, normals)
     foot = (normal + friction * tangential) / np.sqrt(1 + friction * friction)
-    return np.where(tangential <= friction * normal, np.hypot(normal, tangential), np.maximum(foot, 0.0))
+    length = np.hypot(normal, tangential)
+    projected: np.ndarray = np.where(tangential <= friction * normal, length, np.maximum(foot, 0.0))
+    return projected
 
 
 def utilisation(forces: np.ndarray, normals: np.ndarray) -> np.ndarray:
@@ -52,5 +54,7 @@ def utilisation(forces: np.ndarray, normals: np.ndarray) -> np.ndarray:
         Shape (...); infinite where a force pulls, zero where it vanishes.
     """
     normal, tangential = components(forces, normals)
-    ratio = np.divide(tangential, normal, out=np.full_like(normal, np.inf), where=normal > 0)
-    return np.where((tangential == 0) & (normal >= 0), 0.0, ratio)
+    ratio = np.full_like(normal, np.inf)
+    np.divide(tangential, normal, out=ratio, where=normal > 0)
+    ratio[(tangential == 0) & (normal >= 0)] = 0.0
+    return ratio

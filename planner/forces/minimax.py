@@ -15,7 +15,8 @@ from planner.errors import SolverError
 from planner.forces.problem import ForceProblem, ForceSolution
 
 SOLVED = (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved)
-INFEASIBLE = (clarabel.SolverStatus.PrimalInfeasible, clarabel.SolverStatus.AlmostPrimalInfeasible)
+UNREASONABLE = 1e6
+"""A direction that proves a force this many times the wrench is taken as a proof of infeasibility."""
 
 
 class MinimaxForces:
@@ -50,14 +51,16 @@ class MinimaxForces:
         frames = contact_frames(contacts.normals)
         maps = grasp_maps(contacts.points, problem.reference_point) @ frames
         forces, phi, direction = self.solve_arrays(maps, contacts.friction, problem.wrench, problem.length)
-        feasible = bool(np.isfinite(phi))
-        return ForceSolution(
+        solution = ForceSolution(
             problem=problem,
-            feasible=feasible,
+            feasible=bool(np.isfinite(phi)),
             forces=np.einsum("ide,ie->id", frames, forces),
             phi=phi,
             direction=direction,
         )
+        if not solution.feasible and solution.lower_bound() < UNREASONABLE * float(np.abs(problem.wrench).max()):
+            raise SolverError(f"Clarabel found neither forces nor a proof that there are none ({self.fingers} fingers)")
+        return solution
 
     def solve_arrays(
         self, maps: np.ndarray, friction: np.ndarray, wrench: np.ndarray, length: float
@@ -71,11 +74,8 @@ class MinimaxForces:
             length: Length that makes moments comparable with forces [m].
 
         Returns:
-            Forces in contact frames, shape (m, d) [N]; phi [N]; direction lambda, shape (D,). Without a
-            solution the forces are NaN and phi is infinite.
-
-        Raises:
-            SolverError: When Clarabel stops without an optimum or a certificate.
+            Forces in contact frames, shape (m, d) [N]; phi [N]; direction lambda, shape (D,). Where Clarabel
+            finds no solution the forces are NaN and phi is infinite; the direction tells whether that is proven.
         """
         d, rows = self.dimension, self._balance_rows
         scale = np.ones(rows)
@@ -87,10 +87,8 @@ class MinimaxForces:
         self._bounds[:rows] = -load / force
         solution = self._optimise()
         direction = -np.asarray(solution.z[:rows]) * scale
-        if solution.status in INFEASIBLE:
-            return np.full((self.fingers, d), np.nan), np.inf, direction
         if solution.status not in SOLVED:
-            raise SolverError(f"Clarabel stopped with {solution.status} on a force problem of {self.fingers} fingers")
+            return np.full((self.fingers, d), np.nan), np.inf, direction
         forces = force * np.asarray(solution.x[:-1]).reshape(self.fingers, d)
         return forces, float(np.sqrt((forces * forces).sum(axis=1).max())), direction
 

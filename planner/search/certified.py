@@ -1,0 +1,203 @@
+"""The certified search: branch and bound on the cut table, with cuts made where they are needed.
+
+    pop rows of tree nodes, split them, bound the children by min_k sum_j U[C_j, k];
+    prune a child when its bound is at most (1 + gap) / rho of the incumbent;
+    evaluate a child that is a single subset: either a new cut prunes it, or it is the new incumbent.
+
+When no row is open, no subset beats rho / (1 + gap), and the cuts that pruned are the proof.
+"""
+
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.search.closure import impossible_direction
+from planner.search.cuts import CutTable
+from planner.search.evaluation import Evaluation, Evaluator
+from planner.search.frontier import Frontier, split
+from planner.search.local_search import STARTS, add_vertex_cuts, beat, improve
+from planner.search.node_bounds import NodeBounds
+from planner.search.problem import SearchProblem
+from planner.search.result import Progress, SearchResult, Status, relative_gap
+from planner.search.tree import build_tree
+
+logger = logging.getLogger(__name__)
+
+BATCH = 512
+"""Rows split together."""
+
+SOLVER_ACCURACY = 1e-6
+"""Relative accuracy of rho that the inner solver guarantees: no smaller gap can be asked of the proof."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CertifiedSearch:
+    """Global optimum to a proven relative gap. Anytime: at a limit it returns its best grasp and the true gap."""
+
+    gap: float = 1e-3
+    """Stop when rho / lower_bound - 1 is proven to be at most this."""
+
+    time_limit: float = np.inf
+    """Seconds after which the search stops with the gap it has."""
+
+    seed: int = 0
+    """Seed of the starts of the local search; the proof does not depend on it."""
+
+    def run(self, problem: SearchProblem, observe: Callable[[Progress], None] = lambda _: None) -> SearchResult:
+        """Search until the gap is proven, time is up, or the user interrupts.
+
+        Args:
+            problem: What to search.
+            observe: Called with every line of the search log as it happens.
+        """
+        run = _Run(problem, self, observe)
+        try:
+            status = run.search()
+        except KeyboardInterrupt:
+            status = Status.INTERRUPTED
+        return run.result(status)
+
+
+class _Run:
+    """State of one certified search."""
+
+    def __init__(self, problem: SearchProblem, method: CertifiedSearch, observe: Callable[[Progress], None]) -> None:
+        self.problem, self.method, self.observe = problem, method, observe
+        self.began = time.perf_counter()
+        self.evaluator = Evaluator(problem)
+        self.cuts = CutTable(problem)
+        self.tree = build_tree(problem.contacts)
+        self.bounds = NodeBounds(self.tree, self.cuts)
+        self.frontier = Frontier(problem.fingers)
+        self.frontier.push(np.zeros((1, problem.fingers), dtype=np.int64), np.array([np.inf]))
+        self.incumbent: Evaluation | None = None
+        self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
+        self.nodes = 0
+        self.trace: list[Progress] = []
+
+    @property
+    def threshold(self) -> float:
+        """Rows bounded by this hold nothing better than the incumbent by more than the gap [1/N]."""
+        if self.incumbent is None:
+            return 1 / self.problem.force_ceiling
+        return (1 + self.method.gap) / self.incumbent.rho
+
+    @property
+    def out_of_time(self) -> bool:
+        return time.perf_counter() - self.began > self.method.time_limit
+
+    def search(self) -> Status:
+        add_vertex_cuts(self.cuts)
+        self.start_incumbent()
+        if self.incumbent is None and self.impossible_at_once():
+            return Status.INFEASIBLE
+        self.log()
+        while len(self.frontier):
+            if self.out_of_time:
+                return Status.TIME_LIMIT
+            self.advance()
+            if time.perf_counter() - self.began > 2 * self.trace[-1].seconds + 0.5:
+                self.log()
+        return self.proven_status()
+
+    def proven_status(self) -> Status:
+        """What the bounds of everything pruned amount to, once nothing is open."""
+        if self.incumbent is None:
+            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else Status.UNRESOLVED
+        gap = relative_gap(self.incumbent.rho, self.lower_bound())
+        return Status.OPTIMAL if gap <= max(self.method.gap, SOLVER_ACCURACY) else Status.UNRESOLVED
+
+    def start_incumbent(self) -> None:
+        """Local search from random subsets."""
+        generator = np.random.default_rng(self.method.seed)
+        for _ in range(STARTS):
+            if self.out_of_time:
+                return
+            start = generator.choice(len(self.problem.contacts), size=self.problem.fingers, replace=False)
+            self.incumbent = improve(self.evaluator, self.cuts, start, self.incumbent)
+
+    def impossible_at_once(self) -> bool:
+        """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
+        direction = impossible_direction(self.problem)
+        cut = None if direction is None else self.cuts.evaluate(direction)
+        if cut is None:
+            return False
+        bound = float(np.sort(cut.values)[-self.problem.fingers :].sum())
+        if bound > self.threshold:
+            return False
+        self.cuts.add(cut)
+        self.frontier.pop(1)
+        self.pruned_bound, self.bounds.useful = bound, {len(self.cuts) - 1}
+        return True
+
+    def advance(self) -> None:
+        """Split the most recent open rows, prune, and evaluate the single subsets among their children."""
+        rows, _ = self.frontier.pop(BATCH)
+        self.nodes += len(rows)
+        children = split(rows, self.tree)
+        self.bounds.extend()
+        bounds = self.bounds.bound(children, self.threshold)
+        children, bounds = self.prune(children, bounds)
+        single = (self.tree.sizes[children] == 1).all(axis=1)
+        self.frontier.push(children[~single], bounds[~single])
+        best_first = np.argsort(-bounds[single], kind="stable")
+        for row in children[single][best_first]:
+            self.evaluate(np.sort(self.tree.order[self.tree.start[row]]))
+
+    def prune(self, rows: np.ndarray, bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Drop the rows whose bound is at most the threshold, remembering the largest such bound."""
+        open_ = bounds > self.threshold
+        self.pruned_bound = max(self.pruned_bound, float(bounds[~open_].max(initial=0.0)))
+        return rows[open_], bounds[open_]
+
+    def evaluate(self, subset: np.ndarray) -> None:
+        """Decide a single subset: pruned by a cut, or evaluated, perhaps as the new incumbent."""
+        if self.cuts.bound(subset)[0] > self.threshold:
+            rho = self.incumbent.rho if self.incumbent else self.problem.force_ceiling
+            better = beat(self.evaluator, self.cuts, subset, rho, self.method.gap)
+            self.incumbent = better or self.incumbent
+        bound, cut = self.cuts.bound(subset)
+        self.bounds.useful.add(cut)
+        self.pruned_bound = max(self.pruned_bound, bound)
+
+    def lower_bound(self) -> float:
+        """No subset has a smaller rho [N]."""
+        weakest = max(self.pruned_bound, self.frontier.weakest_bound)
+        if self.incumbent is not None:
+            weakest = max(weakest, self.cuts.bound(self.incumbent.subset)[0])
+        return 1 / weakest if weakest > 0 else np.inf
+
+    def log(self) -> None:
+        line = Progress(
+            seconds=time.perf_counter() - self.began,
+            nodes=self.nodes,
+            open=len(self.frontier),
+            lower_bound=self.lower_bound(),
+            incumbent=self.incumbent.rho if self.incumbent else np.inf,
+            socp_solves=self.evaluator.solves,
+            cuts=len(self.cuts),
+        )
+        self.trace.append(line)
+        self.observe(line)
+
+    def result(self, status: Status) -> SearchResult:
+        """The end state, with the open rows bounded by all cuts."""
+        if len(self.frontier):
+            self.bounds.extend()
+            rows, _ = self.frontier.pop(len(self.frontier))
+            self.frontier.push(*self.prune(rows, self.bounds.bound(rows, self.threshold)))
+        if self.incumbent is not None:
+            self.bounds.useful.add(self.cuts.bound(self.incumbent.subset)[1])
+        self.log()
+        return SearchResult(
+            problem=self.problem,
+            method="certified",
+            status=status,
+            incumbent=self.incumbent,
+            lower_bound=self.lower_bound(),
+            directions=self.cuts.directions[sorted(self.bounds.useful)],
+            trace=tuple(self.trace),
+        )

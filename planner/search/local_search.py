@@ -1,0 +1,117 @@
+"""A strong first incumbent: single swaps on the cut table, corrected by exact evaluations.
+
+The table overestimates 1 / rho of every subset. Climb it by swaps; evaluate the subset reached, most dangerous
+vertex first; a vertex that the table had not foreseen gives a cut that lowers the table right there; climb again.
+A start ends when the subset the table likes best nearby cannot beat the incumbent.
+"""
+
+import numpy as np
+
+from planner.search.cuts import CutTable
+from planner.search.evaluation import Evaluation, Evaluator
+
+STARTS = 2
+"""Independent climbs; the search tree repairs what they miss."""
+
+MOST_STEPS = 1000
+"""Corrections per climb."""
+
+PROBES = 1
+"""Vertices solved before a subset the table likes is evaluated in full."""
+
+NOTICEABLE = 1e-3
+"""Relative drop of a subset's bound that makes climbing again better than evaluating."""
+
+
+def add_vertex_cuts(cuts: CutTable) -> None:
+    """Add the direction that opposes each vertex of W_R: free cuts to start from."""
+    problem = cuts.problem
+    scale = np.ones(problem.wrenches.shape[1])
+    scale[problem.contacts.dimension :] /= problem.length**2
+    for wrench in problem.wrenches:
+        cut = cuts.evaluate(-scale * wrench)
+        if cut is not None:
+            cuts.add(cut)
+
+
+def climb(values: np.ndarray, subset: np.ndarray) -> np.ndarray:
+    """Swap one candidate at a time while the smallest row sum of the table grows.
+
+    Args:
+        values: Cut table, shape (cuts, n).
+        subset: Where to start, shape (m,).
+
+    Returns:
+        A subset that no single swap improves, shape (m,), sorted.
+    """
+    subset = subset.copy()
+    best = values[:, subset].sum(axis=1).min()
+    slot, unimproved = 0, 0
+    while unimproved < len(subset):
+        others = np.delete(subset, slot)
+        scores = (values[:, others].sum(axis=1)[:, None] + values).min(axis=0)
+        scores[others] = -np.inf
+        candidate = int(scores.argmax())
+        unimproved += 1
+        if scores[candidate] > best * (1 + 1e-9):
+            best, subset[slot], unimproved = scores[candidate], candidate, 1
+        slot = (slot + 1) % len(subset)
+    return np.sort(subset)
+
+
+def improve(
+    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbent: Evaluation | None
+) -> Evaluation | None:
+    """Climb from a subset until the table cannot beat the incumbent nearby; returns the best grasp found."""
+    ceiling = evaluator.problem.force_ceiling
+    for _ in range(MOST_STEPS):
+        subset = climb(cuts.values, subset)
+        rho = incumbent.rho if incumbent else ceiling
+        if cuts.bound(subset)[0] <= (1 + 1e-6) / rho:
+            break
+        if not sharpen(evaluator, cuts, subset):
+            better = beat(evaluator, cuts, subset, rho)
+            if better is None and cuts.bound(subset)[0] > (1 + 1e-6) / rho:
+                break  # no better, and the solver cannot prove it: climbing again would come back here
+            incumbent = better or incumbent
+    return incumbent
+
+
+def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
+    """Solve the few most dangerous vertices; returns whether one lowered the subset's bound noticeably."""
+    bound = cuts.bound(subset)[0]
+    for vertex in cuts.dangerous_vertices(subset)[:PROBES]:
+        _, _, direction = evaluator.solve(subset, int(vertex))
+        if add_if_sharper(cuts, subset, direction, bound * (1 - NOTICEABLE)):
+            return True
+    return False
+
+
+def beat(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, rho: float, gap: float = 0.0) -> Evaluation | None:
+    """Evaluate a subset only as far as needed to know whether its rho is below `rho`.
+
+    Every solved vertex that sharpens the subset's bound leaves its cut in the table. The evaluation stops as soon as
+    the cuts prove rho_N >= rho / (1 + gap); then the answer is "not better", never the value of one vertex.
+
+    Returns:
+        The full evaluation if rho_N < rho, else None.
+    """
+    bound = cuts.bound(subset)[0]
+    solutions = {}
+    for vertex in cuts.dangerous_vertices(subset).tolist():
+        solutions[vertex] = evaluator.solve(subset, vertex)
+        _, phi, direction = solutions[vertex]
+        if add_if_sharper(cuts, subset, direction, bound * (1 - 1e-9)):
+            bound = cuts.bound(subset)[0]
+        if bound <= (1 + gap) / rho or phi >= rho:
+            return None
+    return evaluator.collect(subset, [solutions[vertex] for vertex in sorted(solutions)])
+
+
+def add_if_sharper(cuts: CutTable, subset: np.ndarray, direction: np.ndarray, bound: float) -> bool:
+    """Add the cut of a direction if it bounds 1 / rho of the subset below `bound`; returns whether it did."""
+    cut = cuts.evaluate(direction)
+    if cut is None or cut.values[subset].sum() >= bound:
+        return False
+    cuts.add(cut)
+    return True

@@ -1,0 +1,89 @@
+"""What a search returns: its best grasp, a proven bound, and the cuts that prove it."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from planner.search.evaluation import Evaluation
+from planner.search.problem import SearchProblem
+
+
+class Status(StrEnum):
+    """How a search ended."""
+
+    OPTIMAL = "optimal"
+    """The gap is proven to be at most the one asked for."""
+
+    INFEASIBLE = "infeasible"
+    """Proven: no subset resists W_R with forces below the problem's force ceiling."""
+
+    UNRESOLVED = "unresolved"
+    """Everything was examined, but the solver's accuracy left a subset whose bound is weaker than asked."""
+
+    TIME_LIMIT = "time_limit"
+    """Out of time; the bound and the gap are true, and open."""
+
+    INTERRUPTED = "interrupted"
+    """Stopped by the user; the bound and the gap are true, and open."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Progress:
+    """One line of a search log."""
+
+    seconds: float
+    nodes: int
+    open: int
+    lower_bound: float
+    """Proven lower bound on rho* [N]."""
+    incumbent: float
+    """Best rho found [N]; infinite before the first."""
+    socp_solves: int
+    cuts: int
+
+    @property
+    def gap(self) -> float:
+        """incumbent / lower_bound - 1."""
+        return relative_gap(self.incumbent, self.lower_bound)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SearchResult:
+    """The outcome of a search and its proof."""
+
+    problem: SearchProblem
+
+    method: str
+    """Name of the search."""
+
+    status: Status
+
+    incumbent: Evaluation | None
+    """Best grasp found, if any."""
+
+    lower_bound: float
+    """No m-subset of the candidates has a smaller rho [N]; infinite when even that is proven."""
+
+    directions: np.ndarray
+    """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""
+
+    trace: tuple[Progress, ...]
+    """The search log, oldest first; the last line is the end state."""
+
+    @property
+    def rho(self) -> float:
+        """Largest fingertip force the best grasp needs [N]; infinite without a grasp."""
+        return self.incumbent.rho if self.incumbent else np.inf
+
+    @property
+    def gap(self) -> float:
+        """rho / lower_bound - 1."""
+        return relative_gap(self.rho, self.lower_bound)
+
+
+def relative_gap(rho: float, lower_bound: float) -> float:
+    """rho / lower_bound - 1; infinite before both are known, never below zero."""
+    if not np.isfinite(rho) or lower_bound <= 0:
+        return np.inf
+    return max(0.0, rho / lower_bound - 1)

@@ -1,0 +1,62 @@
+"""The certified search against enumeration, and against its own promises."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from planner.contacts import grasp_maps
+from planner.friction_cone import support
+from planner.search.certified import CertifiedSearch
+from planner.search.exhaustive import exhaustive_search
+from planner.search.result import SearchResult, Status
+from tests.planner.search.instances import random_problem
+
+GAP = 1e-3
+SEEDS = range(240)
+
+
+def proven_bound(result: SearchResult) -> float:
+    """Lower bound on rho* that the returned directions prove, by enumeration."""
+    problem = result.problem
+    contacts = problem.contacts
+    maps = grasp_maps(contacts.points, problem.reference_point)
+    weakest = 0.0
+    tables = []
+    for direction in result.directions:
+        load = max(-direction @ wrench for wrench in problem.wrenches)
+        tables.append(support(maps.transpose(0, 2, 1) @ direction, contacts.normals, contacts.friction) / load)
+    for subset in combinations(range(len(contacts)), problem.fingers):
+        weakest = max(weakest, min(table[list(subset)].sum() for table in tables))
+    return 1 / weakest if weakest > 0 else np.inf
+
+
+@pytest.mark.parametrize("first", range(0, len(SEEDS), 40))
+def test_search_agrees_with_enumeration_and_its_cuts_prove_the_bound(first: int) -> None:
+    feasible = 0
+    for seed in SEEDS[first : first + 40]:
+        problem = random_problem(seed)
+        result = CertifiedSearch(gap=GAP).run(problem)
+        best = exhaustive_search(problem)
+        if best is None:
+            assert result.status is Status.INFEASIBLE, seed
+            assert result.incumbent is None
+            assert proven_bound(result) >= 0.999 * problem.force_ceiling
+            continue
+        feasible += 1
+        assert result.status is Status.OPTIMAL, seed
+        assert result.rho <= best.rho * (1 + GAP) * (1 + 1e-7), seed
+        assert result.rho >= best.rho * (1 - 1e-7), seed
+        assert result.lower_bound <= best.rho * (1 + 1e-7), seed
+        assert result.gap <= GAP
+        assert proven_bound(result) >= result.lower_bound * (1 - 1e-9), seed
+    assert 5 <= feasible <= 38  # both kinds were met
+
+
+def test_zero_gap_finds_the_optimum_exactly() -> None:
+    for seed in (1, 2, 3, 5, 8, 13):
+        problem = random_problem(seed)
+        best = exhaustive_search(problem)
+        result = CertifiedSearch(gap=0.0).run(problem)
+        assert result.rho == pytest.approx(np.inf if best is None else best.rho, rel=1e-7)
+        assert result.gap < 1e-6 or best is None
