@@ -39,8 +39,7 @@ def support(vectors: np.ndarray, normals: np.ndarray, friction: np.ndarray) -> n
     normal, tangential = components(vectors, normals)
     foot = (normal + friction * tangential) / np.sqrt(1 + friction * friction)
     length = np.hypot(normal, tangential)
-    projected: np.ndarray = np.where(tangential <= friction * normal, length, np.maximum(foot, 0.0))
-    return projected
+    return np.where(tangential <= friction * normal, length, np.maximum(foot, 0.0))
 
 
 def utilisation(forces: np.ndarray, normals: np.ndarray) -> np.ndarray:

@@ -23,6 +23,7 @@ from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult, Status, relative_gap
 from planner.search.tree import build_tree
+from planner.search.two_fingers import line_bounds, pairs
 
 logger = logging.getLogger(__name__)
 
@@ -91,6 +92,8 @@ class _Run:
 
     def search(self) -> Status:
         add_vertex_cuts(self.cuts)
+        if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
+            return self.search_pairs()
         self.start_incumbent()
         if self.incumbent is None and self.impossible_at_once():
             return Status.INFEASIBLE
@@ -101,6 +104,22 @@ class _Run:
             self.advance()
             if time.perf_counter() - self.began > 2 * self.trace[-1].seconds + 0.5:
                 self.log()
+        return self.proven_status()
+
+    def search_pairs(self) -> Status:
+        """Two fingers in space: the moment about their line settles most pairs, the rest are evaluated."""
+        self.log()
+        possible = []
+        for subsets in pairs(self.problem):
+            if self.out_of_time:
+                return Status.TIME_LIMIT
+            possible.append(subsets[self.drop(line_bounds(self.problem, subsets))])
+            self.nodes += len(subsets)
+        for subset in np.concatenate(possible):
+            if self.out_of_time:
+                return Status.TIME_LIMIT
+            self.evaluate(subset)
+        self.frontier.pop(1)
         return self.proven_status()
 
     def proven_status(self) -> Status:
@@ -140,18 +159,19 @@ class _Run:
         children = split(rows, self.tree)
         self.bounds.extend()
         bounds = self.bounds.bound(children, self.threshold)
-        children, bounds = self.prune(children, bounds)
+        open_ = self.drop(bounds)
+        children, bounds = children[open_], bounds[open_]
         single = (self.tree.sizes[children] == 1).all(axis=1)
         self.frontier.push(children[~single], bounds[~single])
         best_first = np.argsort(-bounds[single], kind="stable")
         for row in children[single][best_first]:
             self.evaluate(np.sort(self.tree.order[self.tree.start[row]]))
 
-    def prune(self, rows: np.ndarray, bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Drop the rows whose bound is at most the threshold, remembering the largest such bound."""
-        open_ = bounds > self.threshold
+    def drop(self, bounds: np.ndarray) -> np.ndarray:
+        """Which bounds exceed the threshold; the largest of the others is remembered."""
+        open_: np.ndarray = bounds > self.threshold
         self.pruned_bound = max(self.pruned_bound, float(bounds[~open_].max(initial=0.0)))
-        return rows[open_], bounds[open_]
+        return open_
 
     def evaluate(self, subset: np.ndarray) -> None:
         """Decide a single subset: pruned by a cut, or evaluated, perhaps as the new incumbent."""
@@ -164,11 +184,12 @@ class _Run:
         self.pruned_bound = max(self.pruned_bound, bound)
 
     def lower_bound(self) -> float:
-        """No subset has a smaller rho [N]."""
+        """No subset has a smaller rho [N]; claims beyond the force ceiling are not made."""
         weakest = max(self.pruned_bound, self.frontier.weakest_bound)
         if self.incumbent is not None:
             weakest = max(weakest, self.cuts.bound(self.incumbent.subset)[0])
-        return 1 / weakest if weakest > 0 else np.inf
+        ceiling = self.problem.force_ceiling
+        return min(1 / weakest, ceiling) if weakest > 0 else ceiling
 
     def log(self) -> None:
         line = Progress(
@@ -188,7 +209,9 @@ class _Run:
         if len(self.frontier):
             self.bounds.extend()
             rows, _ = self.frontier.pop(len(self.frontier))
-            self.frontier.push(*self.prune(rows, self.bounds.bound(rows, self.threshold)))
+            bounds = self.bounds.bound(rows, self.threshold)
+            open_ = self.drop(bounds)
+            self.frontier.push(rows[open_], bounds[open_])
         if self.incumbent is not None:
             self.bounds.useful.add(self.cuts.bound(self.incumbent.subset)[1])
         self.log()

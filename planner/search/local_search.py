@@ -13,7 +13,7 @@ from planner.search.evaluation import Evaluation, Evaluator
 STARTS = 2
 """Independent climbs; the search tree repairs what they miss."""
 
-MOST_STEPS = 1000
+MOST_STEPS = 300
 """Corrections per climb."""
 
 PROBES = 1

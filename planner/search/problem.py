@@ -65,8 +65,7 @@ class SearchProblem:
     @cached_property
     def maps(self) -> np.ndarray:
         """Grasp maps from contact frames, G_i R_i, shape (n, D, d)."""
-        maps: np.ndarray = grasp_maps(self.contacts.points, self.reference_point) @ self.frames
-        return maps
+        return grasp_maps(self.contacts.points, self.reference_point) @ self.frames
 
     @cached_property
     def frames(self) -> np.ndarray:

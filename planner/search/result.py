@@ -63,7 +63,7 @@ class SearchResult:
     """Best grasp found, if any."""
 
     lower_bound: float
-    """No m-subset of the candidates has a smaller rho [N]; infinite when even that is proven."""
+    """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling."""
 
     directions: np.ndarray
     """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""

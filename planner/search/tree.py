@@ -37,8 +37,7 @@ class CandidateTree:
     @property
     def sizes(self) -> np.ndarray:
         """Number of candidates below each node, shape (2n - 1,)."""
-        sizes: np.ndarray = self.stop - self.start
-        return sizes
+        return self.stop - self.start
 
     def maxima(self, values: np.ndarray) -> np.ndarray:
         """Largest value below each node: (n,) candidate values become (2n - 1,) node values."""

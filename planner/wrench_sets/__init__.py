@@ -1,0 +1,1 @@
+"""Required external force sets W_R: a family of convex sets of wrenches, one per file."""

@@ -1,0 +1,85 @@
+"""`grasp-plan`: from an MJCF object to a grasp file with a proof."""
+
+from dataclasses import dataclass
+from math import inf
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from planner.commands.exit_codes import EXIT_CODES, ExitCode, run
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """Where should the fingers go, and how strong must they be?"""
+
+    object: tyro.conf.Positional[Path]
+    """MJCF file of the object; what MuJoCo collides is what is planned on."""
+
+    fingers: int = 3
+    """How many fingers, 1 to 8."""
+
+    friction: float | None = None
+    """Coulomb coefficient of every contact; by default each geom's own."""
+
+    task: str = "gravity"
+    """What the grasp must resist: the preset `paper` (weight as a force box, moments of a shifted centre of mass),
+    `gravity` (the weight in any direction, the centre of mass somewhere near) or `axes6` (six pushes of 10 N per
+    kg), or a TOML file."""
+
+    candidates: str = "300"
+    """Where fingers may go: a number of evenly spread points, `grid:SPACING` (cell centres on every flat facet, in
+    metres), `case3` (the paper's 217 points on the prism), or a CSV file of points x,y,z."""
+
+    out: Path | None = None
+    """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
+
+    body: str | None = None
+    """Body to grasp, where the file holds several."""
+
+    gap: float = 1e-3
+    """Relative gap between rho and its proven lower bound at which to stop."""
+
+    time_limit: float = inf
+    """Seconds after which to stop with the best grasp and the gap it has."""
+
+    seed: int = 0
+    """Seed of the even candidates and of the search's starts."""
+
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors."""
+
+
+def plan_command(options: Options) -> ExitCode:
+    """Plan, write the grasp file, and say what came out."""
+    from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
+    from planner.candidates import make_candidates
+    from planner.commands.plan_report import Report
+    from planner.grasp_file import SUFFIX, write_grasp
+    from planner.objects.mjcf import read_object
+    from planner.plan import plan
+    from planner.search.certified import CertifiedSearch
+    from planner.search.result import Status
+    from planner.task import make_task
+
+    out = options.out or Path(options.object.stem + SUFFIX)
+    require_writable(out)
+    search = CertifiedSearch(gap=options.gap, time_limit=options.time_limit, seed=options.seed)
+    rigid_object = read_object(options.object, options.body)
+    task = make_task(options.task, rigid_object)
+    candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed)
+    report = Report(quiet=options.quiet)
+    report.problem(rigid_object, task, candidates, options.fingers)
+    grasp = plan(rigid_object, task, candidates, options.fingers, search, report.progress)
+    write_grasp(out, grasp)
+    report.grasp(grasp, out)
+    if grasp.status is Status.OPTIMAL:
+        return ExitCode.DONE
+    return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT
+
+
+def main() -> None:
+    """Entry point of `grasp-plan`."""
+    options = tyro.cli(Options, prog="grasp-plan", description=f"{Options.__doc__} {EXIT_CODES}")
+    run(lambda: plan_command(options))

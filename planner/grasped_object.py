@@ -1,0 +1,32 @@
+"""The object a grasp file was planned on, read again and known to be unchanged."""
+
+from pathlib import Path
+
+from planner.errors import GraspFileError
+from planner.grasp import Grasp
+from planner.objects.mjcf import read_object
+from planner.objects.rigid_object import RigidObject
+
+
+def read_grasped_object(grasp: Grasp, mjcf: Path | None = None) -> RigidObject:
+    """Read the object of a grasp.
+
+    Args:
+        grasp: The grasp.
+        mjcf: Where the object's file is now; by default where the grasp says.
+
+    Raises:
+        ObjectError: When the file cannot be read.
+        GraspFileError: When it is not the object the grasp was planned on.
+    """
+    file = mjcf or grasp.mjcf
+    if not file.is_file():
+        raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
+    rigid_object = read_object(file, None if grasp.body.startswith("body") else grasp.body)
+    if rigid_object.sha256 != grasp.sha256:
+        raise GraspFileError(
+            f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "
+            f"{rigid_object.sha256[:12]}… instead of {grasp.sha256[:12]}…); plan it again, or name the original "
+            "with --object"
+        )
+    return rigid_object

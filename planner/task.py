@@ -1,0 +1,128 @@
+"""The task: which wrenches a grasp must resist, about which point.
+
+Chosen by the name of a preset or by a TOML file:
+
+    name = "screwdriver"               # the file's name where left out
+    reference_point = [0, 0, 0.02]     # body frame [m]; the centre of mass where left out
+
+    [set]
+    kind = "cylinder"                  # a name of KINDS or of PRESETS; the other keys are its fields
+    force = 5.0
+    moment = 0.1
+"""
+
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from planner.contacts import wrench_dimension
+from planner.errors import TaskError
+from planner.objects.rigid_object import RigidObject
+from planner.wrench_sets.circumscribed import MAX_VERTICES
+from planner.wrench_sets.kinds import KINDS
+from planner.wrench_sets.presets import PRESETS
+from planner.wrench_sets.values import finite_vector
+from planner.wrench_sets.wrench_set import WrenchSet
+
+MAX_FILE_BYTES = 1_000_000
+"""Largest task file: room for more vertices than are allowed."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Task:
+    """The required external force set of one object as a polytope.
+
+    Raises:
+        TaskError: On shapes that do not match, values that are not finite, too many vertices, or no vertex
+            but zero.
+    """
+
+    name: str
+
+    reference_point: np.ndarray
+    """p_o, about which moments are taken, in the body frame, shape (d,) [m]."""
+
+    wrenches: np.ndarray
+    """Vertices of W_R, shape (l, D) [N, N m]."""
+
+    def __post_init__(self) -> None:
+        dimension = len(finite_vector("reference_point", self.reference_point.tolist(), (2, 3)))
+        shape = self.wrenches.shape
+        if self.wrenches.ndim != 2 or shape[1] != wrench_dimension(dimension) or not shape[0]:
+            raise TaskError(
+                f"the task's wrenches have shape {shape}; about a point of {dimension} coordinates expected "
+                f"(1 or more, {wrench_dimension(dimension)})"
+            )
+        if shape[0] > MAX_VERTICES:
+            raise TaskError(f"the task has {shape[0]} wrenches; at most {MAX_VERTICES} are allowed: use fewer facets")
+        if not np.isfinite(self.wrenches).all():
+            raise TaskError("a wrench of the task is not finite")
+        if not self.wrenches.any():
+            raise TaskError("every wrench of the task is zero: there is nothing to resist")
+
+
+class TaskFile(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A task file, before its set is known."""
+
+    set: dict[str, Any]
+    name: str | None = None
+    reference_point: tuple[float, ...] | None = None
+
+
+def make_task(choice: str, object: RigidObject) -> Task:
+    """The task for one object.
+
+    Args:
+        choice: Name of a preset, or path of a TOML file.
+        object: The object; presets take its weight and size.
+
+    Raises:
+        TaskError: When there is no such preset or file, or it is broken, or its set does not fit the object.
+    """
+    center = object.center_of_mass
+    if choice in PRESETS:
+        preset = PRESETS[choice]().for_object(object, center)
+        return Task(name=choice, reference_point=center, wrenches=preset.vertices())
+    file = _read(Path(choice))
+    try:
+        stated = file.reference_point
+        point = center if stated is None else finite_vector("reference_point", stated, (len(center),))
+        wrenches = _wrench_set(file.set, object, point).vertices()
+        return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
+    except TaskError as error:
+        raise TaskError(f"task file {choice}: {error}") from error
+
+
+def _read(path: Path) -> TaskFile:
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MAX_FILE_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: a path that no file can have
+        raise TaskError(
+            f"no task {str(path)!r}: neither one of the presets {', '.join(PRESETS)} nor a readable file ({error})"
+        ) from error
+    if len(content) > MAX_FILE_BYTES:
+        raise TaskError(f"task file {path} is longer than {MAX_FILE_BYTES} bytes")
+    try:
+        return msgspec.convert(tomllib.loads(content.decode()), TaskFile)
+    except (ValueError, RecursionError, msgspec.ValidationError) as error:  # ValueError: TOML and UTF-8
+        raise TaskError(f"task file {path}: {error}") from error
+
+
+def _wrench_set(table: dict[str, Any], object: RigidObject, point: np.ndarray) -> WrenchSet:
+    """The set that the table of a task file describes, for one object and reference point."""
+    kind = table.get("kind")
+    if not isinstance(kind, str) or kind not in KINDS | PRESETS:
+        raise TaskError(f"set.kind is {kind!r}; allowed: {', '.join(KINDS | PRESETS)}")
+    fields = {key: value for key, value in table.items() if key != "kind"}
+    try:
+        if kind in PRESETS:
+            return msgspec.convert(fields, PRESETS[kind]).for_object(object, point)
+        return msgspec.convert(fields, KINDS[kind])
+    except msgspec.ValidationError as error:
+        message = str(error) if "`$" in str(error) else f"{error} - at `$`"
+        raise TaskError(message.replace("`$", "`$.set")) from error

@@ -1,0 +1,142 @@
+"""Is a grasp file true? Checked with none of the code that found it.
+
+Forces are checked by the definition of balance, cone and cap; rho by an independent CVXPY model of every inner
+problem; the bound by the cuts of the certificate (`planner.certificate`).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.certificate import check_bound
+from planner.forces.problem import ForceProblem
+from planner.forces.reference import ReferenceForces
+from planner.grasp import Grasp
+from planner.search.result import Status
+
+TOLERANCE = 1e-6
+"""Relative accuracy asked of forces and of rho."""
+
+INFEASIBLE_TIMES = 1e4
+"""A grasp that needs this many times the largest wrench of W_R is called infeasible."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Check:
+    """One claim of a grasp file and whether it holds."""
+
+    claim: str
+    holds: bool
+    detail: str
+
+
+def verify(grasp: Grasp) -> tuple[Check, ...]:
+    """Check every claim of a grasp.
+
+    Returns:
+        One check per claim; the grasp is true if all hold.
+    """
+    checks = []
+    if grasp.found:
+        checks = [_contacts(grasp), _balance(grasp), _cones(grasp), _rho(grasp)]
+    return (*checks, _bound(grasp), _status(grasp))
+
+
+def _contacts(grasp: Grasp) -> Check:
+    candidates = grasp.certificate.candidates
+    contacts = candidates.subset(grasp.candidates)
+    difference = max(
+        float(np.abs(grasp.contacts.points - contacts.points).max()) / float(np.abs(candidates.points).max() or 1.0),
+        float(np.abs(grasp.contacts.normals - contacts.normals).max()),
+        float(np.abs(grasp.contacts.friction - contacts.friction).max()),
+    )
+    return Check(
+        claim="the contacts are candidates",
+        holds=difference <= TOLERANCE,
+        detail=f"largest difference {difference:.1e}",
+    )
+
+
+def _balance(grasp: Grasp) -> Check:
+    """sum f = -force and sum (p - p_o) x f = -moment for every wrench."""
+    task, dimension = grasp.task, grasp.contacts.dimension
+    arms = grasp.contacts.points - task.reference_point
+    force = grasp.forces.sum(axis=1) + task.wrenches[:, :dimension]
+    if dimension == 2:
+        moments = arms[:, 0] * grasp.forces[..., 1] - arms[:, 1] * grasp.forces[..., 0]
+        moment = moments.sum(axis=1)[:, None] + task.wrenches[:, 2:]
+    else:
+        moment = np.cross(arms, grasp.forces).sum(axis=1) + task.wrenches[:, 3:]
+    length = float(np.linalg.norm(arms, axis=1).max()) or 1.0
+    error = max(float(np.abs(force).max()), float(np.abs(moment).max()) / length) / grasp.rho
+    return Check(
+        claim="the forces balance every wrench", holds=error <= TOLERANCE, detail=f"residual {error:.1e} of rho"
+    )
+
+
+def _cones(grasp: Grasp) -> Check:
+    """Angle of every force to its normal at most atan(mu)."""
+    normal = np.einsum("jid,id->ji", grasp.forces, grasp.contacts.normals)
+    length = np.linalg.norm(grasp.forces, axis=2)
+    tangential = np.sqrt(np.maximum(length**2 - normal**2, 0.0))
+    outside = float(np.maximum(tangential - grasp.contacts.friction * normal, -normal).max()) / grasp.rho
+    return Check(
+        claim="every force lies in its friction cone",
+        holds=outside <= TOLERANCE,
+        detail=f"largest excess {max(outside, 0.0):.1e} of rho",
+    )
+
+
+def _rho(grasp: Grasp) -> Check:
+    """rho is the largest phi, each from an independent model."""
+    solver = ReferenceForces(len(grasp.contacts), grasp.contacts.dimension)
+    phi = np.array(
+        [
+            solver.solve(
+                ForceProblem(contacts=grasp.contacts, reference_point=grasp.task.reference_point, wrench=wrench)
+            ).phi
+            for wrench in grasp.task.wrenches
+        ]
+    )
+    difference = float(np.abs(phi - grasp.phi).max()) / grasp.rho
+    return Check(
+        claim="an independent solver finds the same forces for every wrench",
+        holds=difference <= TOLERANCE and abs(float(phi.max()) / grasp.rho - 1) <= TOLERANCE,
+        detail=f"rho {phi.max():.9g} N, phi differs by at most {difference:.1e} of rho",
+    )
+
+
+def _bound(grasp: Grasp) -> Check:
+    """The cuts prove the lower bound for every subset."""
+    search, certificate = grasp.search, grasp.certificate
+    claim = f"no {search.fingers} of {len(certificate.candidates)} candidates need less than {grasp.lower_bound:.6g} N"
+    if grasp.lower_bound <= 0:
+        return Check(claim=claim, holds=True, detail="no bound is claimed")
+    task = grasp.task
+    check = check_bound(certificate, search.fingers, task.reference_point, task.wrenches, grasp.lower_bound)
+    detail = f"{len(certificate.cuts)} cuts, {search.subsets} subsets, by {check.method}"
+    if check.counterexample:
+        detail += f"; no cut covers subset {check.counterexample}"
+    return Check(claim=claim, holds=check.proven, detail=detail)
+
+
+def _status(grasp: Grasp) -> Check:
+    """The status says no more than the bound does."""
+    claim = f"the status is {grasp.status}"
+    if grasp.status is Status.OPTIMAL:
+        asked = max(grasp.search.gap, TOLERANCE)
+        return Check(
+            claim=claim, holds=grasp.found and grasp.gap <= asked, detail=f"gap {grasp.gap:.3g}, asked {asked:.3g}"
+        )
+    if grasp.status is Status.INFEASIBLE:
+        arms = grasp.certificate.candidates.points - grasp.task.reference_point
+        dimension = arms.shape[1]
+        forces, moments = np.split(grasp.task.wrenches, [dimension], axis=1)
+        load = max(float(np.abs(forces).max()), float(np.abs(moments).max() / np.linalg.norm(arms, axis=1).max()))
+        times = grasp.lower_bound / load
+        return Check(
+            claim=claim,
+            holds=not grasp.found and times >= INFEASIBLE_TIMES * (1 - TOLERANCE),
+            detail=f"any grasp needs at least {times:.3g} times the largest wrench",
+        )
+    return Check(claim=claim, holds=True, detail=f"gap {grasp.gap:.3g} is open and so stated")

@@ -1,0 +1,111 @@
+"""Required external force sets whose sizes come from the object: usable by name alone.
+
+To add one: write its class here, with the method of `Preset`, and name it in `PRESETS`.
+"""
+
+from typing import Protocol
+
+import msgspec
+import numpy as np
+
+from planner.errors import TaskError
+from planner.objects.rigid_object import RigidObject
+from planner.objects.surface import surface_distance
+from planner.wrench_sets.box import Box
+from planner.wrench_sets.cylinder import Cylinder
+from planner.wrench_sets.polytope import Polytope
+from planner.wrench_sets.values import size
+from planner.wrench_sets.wrench_set import WrenchSet
+
+GRAVITY = 9.81
+"""Standard weight per mass [m/s^2]."""
+
+
+class Preset(Protocol):
+    """A family of wrench sets with one member per object."""
+
+    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+        """The set for one object.
+
+        Args:
+            object: The object.
+            reference_point: p_o, about which moments are taken, shape (3,) [m].
+
+        Raises:
+            TaskError: When the object has no mass.
+        """
+
+
+class Paper(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """W_R = { (f, m) : |f_k| <= W, |m_k| <= 0.8 γ W }.
+
+    W is the weight, γ the distance from the reference point to the nearest facet: weight in any direction,
+    its centre anywhere within 0.8 γ. Source: Watanabe and Yoshikawa, section 4, Case III.
+    """
+
+    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+        """See `Preset`."""
+        force = weight(object)
+        moment = 0.8 * surface_distance(object, reference_point) * force
+        return Box(force=(force, force, force), moment=(moment, moment, moment))
+
+
+class Gravity(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """W_R = { (f, m) : |f| <= W, |m| <= W radius }.
+
+    It contains conv { (f, r x f) : |f| = W, |r| <= radius }, the weight W in every direction with its centre
+    anywhere within `radius` of the reference point, because |r x f| <= |r| |f|.
+
+    Raises:
+        TaskError: When the radius is negative or not finite.
+    """
+
+    radius: float | None = None
+    """How far the centre of mass may be from the reference point [m]; a tenth of the object's shortest
+    extent where left out."""
+
+    def __post_init__(self) -> None:
+        if self.radius is not None:
+            size("radius", self.radius, zero=True)
+
+    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+        """See `Preset`."""
+        radius = 0.1 * float(object.extent.min()) if self.radius is None else self.radius
+        return Cylinder(force=weight(object), moment=weight(object) * radius)
+
+
+class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """W_R = conv { (±a M e_k, 0) : k = 1, 2, 3 }: the mass M pushed along each axis, without moment.
+
+    Raises:
+        TaskError: When the acceleration is not positive and finite.
+    """
+
+    acceleration: float = 10.0
+    """a [m/s^2]."""
+
+    def __post_init__(self) -> None:
+        size("acceleration", self.acceleration, zero=False)
+
+    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+        """See `Preset`."""
+        push = weight(object) / GRAVITY * self.acceleration
+        wrenches = push * np.vstack([np.eye(3, 6), -np.eye(3, 6)])
+        return Polytope(wrenches=tuple(map(tuple, wrenches.tolist())))
+
+
+def weight(object: RigidObject) -> float:
+    """Weight of the object [N].
+
+    Raises:
+        TaskError: When it has none.
+    """
+    if not (np.isfinite(object.mass) and object.mass > 0):
+        raise TaskError(
+            f"the object has no mass: {object.mass} kg in {object.mjcf}; give it one, or choose a task file "
+            "whose set states its forces itself"
+        )
+    return float(object.mass * GRAVITY)
+
+
+PRESETS: dict[str, type[Preset]] = {"paper": Paper, "gravity": Gravity, "axes6": Axes6}

@@ -1,0 +1,199 @@
+"""The inner problem: two solvers, closed forms, the paper's printed values, and proofs checked by hand."""
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from planner.contacts import Contacts, grasp_maps, wrench_dimension
+from planner.forces.minimax import MinimaxForces
+from planner.forces.problem import ForceProblem, ForceSolution
+from planner.forces.reference import ReferenceForces
+from planner.wrench_sets.box import Box
+
+SHAPES = [(fingers, dimension) for dimension in (2, 3) for fingers in (2, 3, 4, 5)]
+SEEDS = st.integers(0, 2**32 - 1)
+SOLVERS = {shape: MinimaxForces(*shape) for shape in SHAPES}  # reused, as in the search
+
+
+def random_contacts(rng: np.random.Generator, fingers: int, dimension: int) -> Contacts:
+    """Contacts around a ball of a random size, their normals up to some 45 degrees off the centre."""
+    outward = rng.normal(size=(fingers, dimension))
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    normals = 0.4 * rng.normal(size=(fingers, dimension)) - outward
+    return Contacts(
+        points=10.0 ** rng.uniform(-4, 2) * outward,
+        normals=normals / np.linalg.norm(normals, axis=1, keepdims=True),
+        friction=rng.uniform(0.1, 1.2, size=fingers),
+    )
+
+
+def random_problem(rng: np.random.Generator, fingers: int, dimension: int, *, feasible: bool) -> ForceProblem:
+    """A wrench made by forces inside the cones (so it can be balanced), or any wrench at all."""
+    contacts = random_contacts(rng, fingers, dimension)
+    radius = float(np.linalg.norm(contacts.points[0]))
+    point = 0.2 * radius * rng.normal(size=dimension)
+    if feasible:
+        forces = cone_forces(rng, contacts)
+        wrench = -np.einsum("iDd,id->D", grasp_maps(contacts.points, point), forces)
+    else:
+        wrench = rng.normal(size=wrench_dimension(dimension))
+        wrench[dimension:] *= radius
+    return ForceProblem(contacts=contacts, reference_point=point, wrench=10.0 ** rng.uniform(-4, 4) * wrench)
+
+
+def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
+    """One force inside each friction cone: the normal plus a tangent shorter than mu."""
+    tangents = rng.normal(size=contacts.points.shape)
+    tangents -= (tangents * contacts.normals).sum(axis=1, keepdims=True) * contacts.normals
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    slopes = contacts.friction * rng.uniform(0, 1, size=len(contacts))
+    return rng.uniform(0, 1, size=(len(contacts), 1)) * (contacts.normals + slopes[:, None] * tangents)
+
+
+def solve(problem: ForceProblem) -> ForceSolution:
+    return SOLVERS[len(problem.contacts), problem.contacts.dimension].solve(problem)
+
+
+@pytest.mark.parametrize(("fingers", "dimension"), SHAPES)
+def test_the_fast_solver_agrees_with_the_textbook_formulation(fingers: int, dimension: int) -> None:
+    rng = np.random.default_rng(100 * fingers + dimension)
+    reference = ReferenceForces(fingers, dimension)
+    for trial in range(30):
+        problem = random_problem(rng, fingers, dimension, feasible=trial % 2 == 0)
+        fast, slow = solve(problem), reference.solve(problem)
+        assert fast.feasible == slow.feasible
+        assert fast.feasible or trial % 2 == 1
+        assert fast.phi == pytest.approx(slow.phi, rel=1e-6)
+
+
+@pytest.mark.parametrize(("fingers", "dimension"), SHAPES)
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(seed=SEEDS)
+def test_a_solution_balances_stays_in_its_cones_and_is_proved_best(fingers: int, dimension: int, seed: int) -> None:
+    problem = random_problem(np.random.default_rng(seed), fingers, dimension, feasible=True)
+    solution = solve(problem)
+    assert solution.feasible
+    assert solution.balance_residual() < 1e-8
+    assert solution.cone_residual() < 1e-6
+    assert solution.lower_bound() <= solution.phi * (1 + 1e-6)
+    assert solution.gap() < 1e-6
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(seed=SEEDS, shape=st.sampled_from(SHAPES))
+def test_no_direction_proves_more_than_phi(seed: int, shape: tuple[int, int]) -> None:
+    rng = np.random.default_rng(seed)
+    best = solve(random_problem(rng, *shape, feasible=True))
+    spread = np.abs(best.direction) * rng.normal(size=len(best.direction))
+    other = ForceSolution(
+        problem=best.problem,
+        feasible=True,
+        forces=best.forces,
+        phi=best.phi,
+        direction=best.direction + rng.choice([1e-3, 0.1, 1.0]) * spread,
+    )
+    assert other.lower_bound() <= best.phi * (1 + 1e-6)
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(seed=SEEDS, shape=st.sampled_from(SHAPES))
+def test_the_direction_of_an_infeasible_problem_separates_it_from_every_cone_force(
+    seed: int, shape: tuple[int, int]
+) -> None:
+    rng = np.random.default_rng(seed)
+    problem = random_problem(rng, *shape, feasible=False)
+    solution = solve(problem)
+    assume(not solution.feasible)
+    assert np.isinf(solution.phi)
+    assert np.isnan(solution.forces).all()
+    load = -float(solution.direction @ problem.wrench)
+    assert load > 0
+    maps = grasp_maps(problem.contacts.points, problem.reference_point)
+    scale = np.ones(len(problem.wrench))
+    scale[shape[1] :] /= problem.length
+    size = np.linalg.norm(scale * problem.wrench)
+    for _ in range(20):
+        made = np.einsum("iDd,id->D", maps, cone_forces(rng, problem.contacts))
+        assert solution.direction @ made < 1e-6 * load / size
+
+
+@pytest.mark.parametrize("solver", [MinimaxForces, ReferenceForces])
+def test_a_squeeze_is_limited_by_the_smaller_friction(solver: type[MinimaxForces | ReferenceForces]) -> None:
+    """Two fingers face each other and hold W between them: t = W/2 each, n = t / min mu."""
+    for friction in ([0.2, 0.9], [0.9, 0.2]):
+        contacts = Contacts(
+            points=np.array([[-0.03, 0.0], [0.03, 0.0]]),
+            normals=np.array([[1.0, 0.0], [-1.0, 0.0]]),
+            friction=np.array(friction),
+        )
+        problem = ForceProblem(contacts=contacts, reference_point=np.zeros(2), wrench=np.array([0.0, -5.0, 0.0]))
+        assert solver(2, 2).solve(problem).phi == pytest.approx(2.5 * np.hypot(1, 1 / 0.2), rel=1e-7)
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(seed=SEEDS, shape=st.sampled_from(SHAPES))
+def test_phi_turns_scales_and_permutes_with_the_problem(seed: int, shape: tuple[int, int]) -> None:
+    rng = np.random.default_rng(seed)
+    problem = random_problem(rng, *shape, feasible=True)
+    contacts, dimension = problem.contacts, shape[1]
+    if dimension == 3:
+        turn = np.asarray(Rotation.from_rotvec(rng.normal(size=3)).as_matrix())
+    else:
+        turn = np.asarray(Rotation.from_rotvec([0, 0, rng.normal()]).as_matrix())[:2, :2]
+    length, force = 10.0 ** rng.uniform(-3, 3, size=2)
+    order = rng.permutation(shape[0])
+    forces, moments = problem.wrench[:dimension], problem.wrench[dimension:]
+    turned = turn @ moments if dimension == 3 else moments
+    image = ForceProblem(
+        contacts=Contacts(
+            points=length * contacts.points[order] @ turn.T,
+            normals=contacts.normals[order] @ turn.T,
+            friction=contacts.friction[order],
+        ),
+        reference_point=length * turn @ problem.reference_point,
+        wrench=force * np.concatenate([turn @ forces, length * turned]),
+    )
+    assert solve(image).phi == pytest.approx(force * solve(problem).phi, rel=1e-6)
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(seed=SEEDS, shape=st.sampled_from(SHAPES))
+def test_more_friction_at_one_contact_never_costs_force(seed: int, shape: tuple[int, int]) -> None:
+    rng = np.random.default_rng(seed)
+    problem = random_problem(rng, *shape, feasible=True)
+    friction = problem.contacts.friction.copy()
+    friction[rng.integers(shape[0])] *= 1.5
+    contacts = Contacts(points=problem.contacts.points, normals=problem.contacts.normals, friction=friction)
+    rougher = ForceProblem(contacts=contacts, reference_point=problem.reference_point, wrench=problem.wrench)
+    assert solve(rougher).phi <= solve(problem).phi * (1 + 1e-6)
+
+
+def test_no_wrench_needs_no_force() -> None:
+    contacts = random_contacts(np.random.default_rng(0), 3, 3)
+    solution = solve(ForceProblem(contacts=contacts, reference_point=np.zeros(3), wrench=np.zeros(6)))
+    assert solution.phi == pytest.approx(0, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("points", "printed"),
+    [
+        ([[2 / 9, -4 / 3, 0], [2 / 3, 2 / 3, 0], [-4 / 3, 2 / 9, 0]], 0.66900),
+        ([[0, -4 / 3, 0], [2 / 3, 2 / 3, 0], [-4 / 3, 0, 0]], 0.71843),
+    ],
+)
+def test_the_papers_prism_needs_the_forces_the_paper_prints(points: list[list[float]], printed: float) -> None:
+    """Case III in the paper's units: its optimum 0.669, and 0.718 at the feet of the perpendiculars."""
+    diagonal = -np.sqrt(0.5)
+    contacts = Contacts(
+        points=np.array(points),
+        normals=np.array([[0, 1, 0], [diagonal, diagonal, 0], [1, 0, 0]]),
+        friction=np.full(3, 0.3),
+    )
+    weight, gamma = 16 * 0.01, 2 * np.sqrt(2) / 3
+    required = Box(force=3 * (weight,), moment=3 * (0.8 * gamma * weight,)).vertices()
+    phis = [
+        solve(ForceProblem(contacts=contacts, reference_point=np.zeros(3), wrench=wrench)).phi for wrench in required
+    ]
+    assert max(phis) == pytest.approx(printed, abs=6e-6)
