@@ -25,9 +25,7 @@ def random_problem(seed: int) -> SearchProblem:
         wrenches = generator.normal(size=(int(generator.integers(1, 4)), size))
     scale = 10.0 ** generator.uniform(-2, 2)
     return SearchProblem(
-        contacts=Contacts(
-            points=scale * sphere * axes, normals=normals, friction=generator.uniform(0.1, 1.5, count)
-        ),
+        contacts=Contacts(points=scale * sphere * axes, normals=normals, friction=generator.uniform(0.1, 1.5, count)),
         fingers=fingers,
         reference_point=scale * generator.normal(size=dimension) * 0.1,
         wrenches=wrenches * np.r_[np.ones(dimension), np.full(size - dimension, scale)],

@@ -1,0 +1,43 @@
+"""The paper's branch and bound against enumeration."""
+
+import numpy as np
+import pytest
+
+from planner.errors import CandidateError
+from planner.search.exhaustive import exhaustive_search
+from planner.search.lower_bounds import Bound
+from planner.search.paper import PaperSearch, all_subsets
+from planner.search.result import Status
+from tests.planner.search.instances import random_problem
+
+
+@pytest.mark.parametrize("bound", ["relaxation", "subproblem 2"])
+def test_both_bounds_agree_with_enumeration(bound: Bound) -> None:
+    feasible = 0
+    for seed in range(300, 340):
+        problem = random_problem(seed)
+        result = PaperSearch(bound=bound, epsilon=1e-4).run(problem)
+        best = exhaustive_search(problem)
+        if best is None:
+            assert result.status is Status.INFEASIBLE
+            continue
+        feasible += 1
+        assert result.status is Status.OPTIMAL
+        assert best.rho * (1 - 1e-7) <= result.rho <= best.rho * (1 + 2e-4), seed
+        assert result.lower_bound <= best.rho * (1 + 1e-7)
+        assert result.trace[-1].nodes <= problem.subsets
+    assert 5 < feasible < 40
+
+
+def test_all_subsets_are_the_combinations() -> None:
+    subsets = all_subsets(7, 3)
+    assert len({tuple(subset) for subset in subsets.tolist()}) == 35
+    assert (np.diff(subsets, axis=1) > 0).all()
+
+
+def test_a_list_too_long_for_memory_is_refused() -> None:
+    problem = random_problem(1)
+    many = problem.contacts.subset(np.resize(np.arange(len(problem.contacts)), 5000))
+    huge = type(problem)(contacts=many, fingers=4, reference_point=problem.reference_point, wrenches=problem.wrenches)
+    with pytest.raises(CandidateError, match="certified search"):
+        PaperSearch().run(huge)
