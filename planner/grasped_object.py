@@ -22,7 +22,7 @@ def read_grasped_object(grasp: Grasp, mjcf: Path | None = None) -> RigidObject:
     file = mjcf or grasp.mjcf
     if not file.is_file():
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
-    rigid_object = read_object(file, None if grasp.body.startswith("body") else grasp.body)
+    rigid_object = read_object(file, grasp.body)
     if rigid_object.sha256 != grasp.sha256:
         raise GraspFileError(
             f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "

@@ -5,7 +5,7 @@ from importlib.metadata import version
 
 import numpy as np
 
-from planner.candidates import Candidates
+from planner.candidates.candidates import Candidates
 from planner.grasp import Certificate, Grasp, SearchRecord
 from planner.objects.rigid_object import RigidObject
 from planner.search.certified import CertifiedSearch

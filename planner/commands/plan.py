@@ -54,7 +54,7 @@ class Options:
 def plan_command(options: Options) -> ExitCode:
     """Plan, write the grasp file, and say what came out."""
     from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
-    from planner.candidates import make_candidates
+    from planner.candidates.choice import make_candidates
     from planner.commands.plan_report import Report
     from planner.grasp_file import SUFFIX, write_grasp
     from planner.objects.mjcf import read_object

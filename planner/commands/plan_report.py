@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from planner.candidates import Candidates
+from planner.candidates.candidates import Candidates
 from planner.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from planner.search.result import Progress, Status

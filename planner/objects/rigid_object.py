@@ -27,6 +27,12 @@ class ConvexPart(Protocol):
         Exact for polyhedra; for curved parts a tessellation whose vertices lie on the surface.
         """
 
+    def bounds(self) -> np.ndarray:
+        """Lower and upper corner of the part's bounding box along the axes of B, shape (2, 3) [m]."""
+
+    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+        """The facet nearest to each point that lies on or near the surface, shape (n,)."""
+
     def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Nearest points of the given facets' exact surface and the inward unit normals there.
 

@@ -1,0 +1,86 @@
+"""A given number of candidates spread evenly over the outer surface.
+
+Points are drawn at random with equal density per area, those inside other parts dropped, and the wanted number
+chosen from the rest by farthest-point sampling. The generator is seeded (PCG64) and the arithmetic elementwise
+over facets in an order fixed by geometry, so the same candidates come out on every platform.
+"""
+
+import numpy as np
+
+from planner.candidates.candidates import Candidates, candidates_at, project
+from planner.candidates.farthest import farthest_points
+from planner.errors import CandidateError
+from planner.objects.exposure import exposed
+from planner.objects.rigid_object import RigidObject
+from planner.objects.vectors import norm
+
+MOST_CANDIDATES = 1_000_000
+
+OVERSAMPLING = 8
+"""Exposed random points per candidate."""
+
+MOST_ROUNDS = 50
+"""Rounds of drawing before the surface is held to be buried."""
+
+
+def even_candidates(rigid_object: RigidObject, count: int, friction: float | None, seed: int) -> Candidates:
+    """Exactly `count` candidates, evenly spread.
+
+    Args:
+        rigid_object: The object.
+        count: 1 to MOST_CANDIDATES.
+        friction: Coulomb coefficient of all contacts; None takes each geom's own.
+        seed: Of the random pool, not negative.
+
+    Raises:
+        CandidateError: If an argument is out of range, or nearly all of the surface is inside other parts.
+    """
+    if not 1 <= count <= MOST_CANDIDATES:
+        raise CandidateError(f"{count} candidates were asked for; choose 1 to {MOST_CANDIDATES}")
+    if seed < 0:
+        raise CandidateError(f"the seed is {seed}; it must not be negative")
+    generator = np.random.Generator(np.random.PCG64(seed))
+    points, part, facet = _pool(rigid_object, OVERSAMPLING * count, generator)
+    chosen = farthest_points(points, count)
+    return candidates_at(rigid_object, points[chosen], part[chosen], facet[chosen], friction)
+
+
+def _pool(
+    rigid_object: RigidObject, size: int, generator: np.random.Generator
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """At least `size` exposed random points, with their parts and facets."""
+    surfaces = [part.triangles() for part in rigid_object.parts]
+    triangles = np.concatenate([triangles for triangles, _ in surfaces])
+    facet_of = np.concatenate([facets for _, facets in surfaces])
+    part_of = np.repeat(np.arange(len(surfaces)), [len(facets) for _, facets in surfaces])
+    summed_areas = _areas(triangles).cumsum()
+    points, parts, facets, found = [], [], [], 0
+    for _ in range(MOST_ROUNDS):
+        where = generator.random(size) * summed_areas[-1]
+        index = summed_areas.searchsorted(where, side="right").clip(max=len(triangles) - 1)
+        drawn = _random_points(triangles[index], generator)
+        drawn, normals = project(rigid_object, drawn, part_of[index], facet_of[index])
+        outside = exposed(rigid_object, drawn, normals, part_of[index])
+        points.append(drawn[outside])
+        parts.append(part_of[index][outside])
+        facets.append(facet_of[index][outside])
+        found += int(outside.sum())
+        if found >= size:
+            return np.concatenate(points), np.concatenate(parts), np.concatenate(facets)
+    raise CandidateError(
+        f"only {found} of {MOST_ROUNDS * size} random surface points lie outside the other parts of the object; "
+        "remove parts that hide each other"
+    )
+
+
+def _areas(triangles: np.ndarray) -> np.ndarray:
+    edges = triangles[:, 1:] - triangles[:, :1]
+    return norm(np.cross(edges[:, 0], edges[:, 1])) / 2
+
+
+def _random_points(triangles: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+    """One point in each triangle, uniform over its area."""
+    across, along = np.sqrt(generator.random(len(triangles)))[:, None], generator.random(len(triangles))[:, None]
+    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    points: np.ndarray = a + across * ((b - a) + along * (c - b))
+    return points

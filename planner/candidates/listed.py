@@ -1,0 +1,118 @@
+"""Candidates at points the user lists."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+from planner.candidates.candidates import Candidates, candidates_at, project
+from planner.candidates.even import MOST_CANDIDATES
+from planner.errors import CandidateError
+from planner.objects.exposure import exposed
+from planner.objects.rigid_object import RigidObject
+
+ON_SURFACE = 1e-6
+"""Largest distance of a listed point from the surface, relative to the object's size."""
+
+LARGEST_FILE = 100_000_000
+"""Bytes; a million points need less."""
+
+
+def read_points(path: Path) -> np.ndarray:
+    """Points of a CSV file: x,y,z in metres per line, an optional header line, comments after #.
+
+    Returns:
+        Shape (n, 3), n >= 1 [m].
+
+    Raises:
+        CandidateError: If the file cannot be read, is too large, empty, or a line is not three finite numbers.
+    """
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise CandidateError(f"'{path}' is larger than {LARGEST_FILE} bytes; list fewer points")
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, ValueError) as error:
+        raise CandidateError(f"the points in '{path}' cannot be read: {error}") from error
+    rows: list[tuple[float, ...]] = []
+    for number, line in enumerate(lines, start=1):
+        text = line.split("#", 1)[0].strip()
+        if not text:
+            continue
+        row = _three_numbers(text)
+        if row is None and not rows and _is_header(text):
+            continue
+        if row is None:
+            raise CandidateError(f"line {number} of '{path}' is {text[:80]!r}; expected three finite numbers x,y,z")
+        rows.append(row)
+        if len(rows) > MOST_CANDIDATES:
+            raise CandidateError(f"'{path}' lists more than {MOST_CANDIDATES} points")
+    if not rows:
+        raise CandidateError(f"'{path}' lists no points; write one x,y,z per line, in metres")
+    return np.array(rows)
+
+
+def listed_candidates(
+    rigid_object: RigidObject, points: np.ndarray, friction: float | None = None, tolerance: float = ON_SURFACE
+) -> Candidates:
+    """Candidates at the given points, each with the part, facet and normal it lies on.
+
+    A point on an edge belongs to the facet with the lowest number.
+
+    Args:
+        rigid_object: The object.
+        points: Shape (n, 3) [m].
+        friction: Coulomb coefficient of all contacts; None takes each geom's own.
+        tolerance: Largest distance from the surface, relative to the object's size.
+
+    Raises:
+        CandidateError: If a point is off the outer surface; it says which one and how far.
+    """
+    distance = np.full(len(points), np.inf)
+    hidden = np.full(len(points), np.inf)
+    part, facet = np.zeros(len(points), dtype=int), np.zeros(len(points), dtype=int)
+    for index, each in enumerate(rigid_object.parts):
+        part_here, facet_here = np.full(len(points), index), each.nearest_facet(points)
+        feet, normals = project(rigid_object, points, part_here, facet_here)
+        away = np.linalg.norm(points - feet, axis=1)
+        outside = exposed(rigid_object, feet, normals, part_here)
+        hidden = np.where(outside, hidden, np.minimum(hidden, away))
+        nearer = outside & (away < distance - ON_SURFACE * 1e-3 * rigid_object.size)
+        distance[nearer], part[nearer], facet[nearer] = away[nearer], index, facet_here[nearer]
+    _require_on_surface(rigid_object, points, distance, hidden, tolerance * rigid_object.size)
+    return candidates_at(rigid_object, points, part, facet, friction)
+
+
+def _require_on_surface(
+    rigid_object: RigidObject, points: np.ndarray, distance: np.ndarray, hidden: np.ndarray, tolerance: float
+) -> None:
+    off = np.flatnonzero(distance > tolerance)
+    if not len(off):
+        return
+    first = off[0]
+    x, y, z = points[first]
+    point = f"point {first + 1} of {len(points)}, ({x:.9g}, {y:.9g}, {z:.9g})"
+    if hidden[first] <= tolerance:
+        raise CandidateError(
+            f"{point}, is on a surface no finger can reach: inside another part of the object, or in a crack "
+            "between parts; move it to the outside"
+        )
+    inside = max(float(part.depth(points[first : first + 1])[0]) for part in rigid_object.parts) > 0
+    how_far = f"{distance[first]:.3g} m" if np.isfinite(distance[first]) else "far"
+    raise CandidateError(
+        f"{point}, lies {how_far} {'inside' if inside else 'off'} the collision surface; "
+        f"at most {tolerance:.3g} m is allowed"
+    )
+
+
+def _three_numbers(text: str) -> tuple[float, ...] | None:
+    """The three finite numbers of a line, or None."""
+    try:
+        row = tuple(float(cell) for cell in next(csv.reader([text])))
+    except (ValueError, csv.Error):
+        return None
+    return row if len(row) == 3 and bool(np.isfinite(row).all()) else None
+
+
+def _is_header(text: str) -> bool:
+    """Whether a line holds no number at all."""
+    return all(not cell.strip()[:1].isdigit() and cell.strip()[:1] not in "+-." for cell in text.split(","))

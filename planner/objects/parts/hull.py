@@ -1,0 +1,141 @@
+"""Facets of a convex hull, coplanar triangles merged into one polygon.
+
+MuJoCo keeps mesh vertices in single precision, so the corners of a flat face lie about 1e-7 of the size off
+one plane. Everything within MERGE_TOLERANCE of a plane is therefore one facet. Vertices, polygons and
+facets come in an order that depends on the geometry alone, not on how qhull happened to triangulate.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from planner.errors import ObjectError
+
+MERGE_TOLERANCE = 1e-6
+"""Largest distance of a facet's corners from its plane, relative to the diagonal of the vertices' bounding box."""
+
+LEAST_THICKNESS = 1e-5
+"""A hull thinner than this, relative to the same diagonal, has no meaningful faces."""
+
+
+class Facets(NamedTuple):
+    """The surface of a convex polyhedron."""
+
+    vertices: np.ndarray
+    """Corners, shape (corners, 3) [m]."""
+
+    polygons: tuple[np.ndarray, ...]
+    """For each facet the indices of its corners, counter-clockwise seen from outside."""
+
+    normals: np.ndarray
+    """Outward unit normals, shape (facets, 3)."""
+
+    offsets: np.ndarray
+    """Distances of the facets' planes from the origin along their normals, shape (facets,) [m]."""
+
+
+def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
+    """Corners and facets of the convex hull of some points.
+
+    Args:
+        vertices: Shape (n, 3) [m]; repeated and interior points are allowed.
+        geom: Name used in messages.
+
+    Raises:
+        ObjectError: If a coordinate is not finite or the points are (nearly) coplanar.
+    """
+    if not np.isfinite(vertices).all():
+        raise ObjectError(f"geom '{geom}' has a vertex that is not finite; repair its mesh")
+    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    scaled = _canonical((vertices - middle) / (diagonal or 1.0))
+    try:
+        hull = ConvexHull(scaled)
+    except (QhullError, ValueError) as error:
+        raise ObjectError(f"the convex hull of geom '{geom}' is degenerate: its vertices span no volume") from error
+    normals, offsets = hull.equations[:, :3], -hull.equations[:, 3]
+    thickness = (offsets - (scaled @ normals.T).min(axis=0)).min()
+    if thickness < LEAST_THICKNESS:
+        raise ObjectError(
+            f"geom '{geom}' is flat: its hull is {thickness * diagonal:.2g} m thick and {diagonal:.2g} m long; "
+            f"a collision geom must be thicker than {LEAST_THICKNESS:g} of its length"
+        )
+    outlines = [_polygon(scaled, *group) for group in _coplanar_groups(scaled, hull)]
+    polygons = [outline for outline in outlines if len(outline) >= 3]
+    planes = np.array([_plane(scaled[polygon]) for polygon in polygons])
+    order = np.lexsort(np.round(planes, 6).T[::-1])
+    used = np.unique(np.concatenate(polygons))
+    normals = planes[order, :3]
+    return Facets(
+        vertices=scaled[used] * diagonal + middle,
+        polygons=tuple(np.searchsorted(used, polygons[facet]) for facet in order),
+        normals=normals,
+        offsets=planes[order, 3] * diagonal + normals @ middle,
+    )
+
+
+def _canonical(points: np.ndarray) -> np.ndarray:
+    """Points sorted by their rounded coordinates, repeated ones kept once."""
+    rounded = np.round(points, 9) + 0.0  # turns -0 into 0
+    _, first = np.unique(rounded, axis=0, return_index=True)
+    return points[first]
+
+
+def _coplanar_groups(points: np.ndarray, hull: ConvexHull) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Point indices and outward normal of each facet, gathered about the largest triangle not yet taken."""
+    triangles = hull.simplices
+    normals, offsets = hull.equations[:, :3], -hull.equations[:, 3]
+    first, second, third = (points[triangles[:, corner]] for corner in range(3))
+    areas = np.linalg.norm(np.cross(second - first, third - first), axis=1)
+    free = np.ones(len(triangles), dtype=bool)
+    groups = []
+    for seed in np.argsort(-areas, kind="stable"):
+        if not free[seed]:
+            continue
+        on_plane = np.abs(points @ normals[seed] - offsets[seed]) <= MERGE_TOLERANCE
+        group = free & on_plane[triangles].all(axis=1) & (normals @ normals[seed] > 0)
+        group[seed] = True
+        free &= ~group
+        groups.append((np.unique(triangles[group]), normals[seed]))
+    return groups
+
+
+def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.ndarray:
+    """Convex outline of coplanar points, counter-clockwise about `normal`, from the first corner on.
+
+    Andrew's monotone chain; points within MERGE_TOLERANCE of an edge are not corners.
+    """
+    if len(corners) == 3:
+        first, second, third = points[corners]
+        return corners if np.linalg.det([first - third, second - third, normal]) > 0 else corners[[0, 2, 1]]
+    first_axis = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+    axes = np.stack([first_axis, np.cross(normal, first_axis)])
+    plane_points = points[corners] @ axes.T / np.linalg.norm(first_axis)
+    order = np.lexsort(plane_points.T[::-1])
+    chain = [*_half_outline(plane_points, order), *_half_outline(plane_points, order[::-1])]
+    start = chain.index(min(chain))
+    outline: np.ndarray = corners[chain[start:] + chain[:start]]
+    return outline
+
+
+def _half_outline(points: np.ndarray, order: np.ndarray) -> list[int]:
+    """Corners on the right of the way from the first point to the last, without the last."""
+    chain: list[int] = []
+    for index in order:
+        while len(chain) >= 2:
+            edge, step = points[index] - points[chain[-2]], points[chain[-1]] - points[chain[-2]]
+            if step[0] * edge[1] - step[1] * edge[0] > MERGE_TOLERANCE * np.hypot(*edge):
+                break
+            chain.pop()
+        chain.append(int(index))
+    return chain[:-1]
+
+
+def _plane(polygon: np.ndarray) -> np.ndarray:
+    """Outward unit normal and offset of a nearly flat polygon, from its vector area (Newell), shape (4,)."""
+    middle = polygon.mean(axis=0)
+    arms = polygon - middle
+    area = np.cross(arms, np.roll(arms, -1, axis=0)).sum(axis=0)
+    normal = area / np.linalg.norm(area)
+    return np.append(normal, normal @ middle)

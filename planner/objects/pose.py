@@ -1,0 +1,69 @@
+"""The pose X_BG of a geom's own frame G in the object's body frame B.
+
+Written with elementwise arithmetic only, so that every platform computes the same bits.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Pose:
+    """A rigid placement: p_B = position + R_BG p_G."""
+
+    position: np.ndarray
+    """Origin of G, shape (3,) [m]."""
+
+    quaternion: np.ndarray
+    """Rotation R_BG as a unit quaternion w, x, y, z, shape (4,)."""
+
+    @classmethod
+    def identity(cls) -> "Pose":
+        """The pose of B itself."""
+        return cls(position=np.zeros(3), quaternion=np.array([1.0, 0.0, 0.0, 0.0]))
+
+    @cached_property
+    def rotation(self) -> np.ndarray:
+        """Rotation matrix R_BG, shape (3, 3); its columns are the axes of G."""
+        w, x, y, z = self.quaternion / np.sqrt((self.quaternion * self.quaternion).sum())
+        return np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+
+    def rotate(self, vectors: np.ndarray) -> np.ndarray:
+        """Free vectors of G in the axes of B, shape (..., 3)."""
+        return _combine(vectors, self.rotation.T)
+
+    def to_body(self, points: np.ndarray) -> np.ndarray:
+        """Points of G in B, shape (..., 3) [m]."""
+        placed: np.ndarray = self.position + self.rotate(points)
+        return placed
+
+    def to_local(self, points: np.ndarray) -> np.ndarray:
+        """Points of B in G, shape (..., 3) [m]."""
+        return _combine(points - self.position, self.rotation)
+
+    def compose(self, child: "Pose") -> "Pose":
+        """Pose in B of a frame whose pose in G is `child`."""
+        a, b, c, d = self.quaternion
+        w, x, y, z = child.quaternion
+        product = [
+            a * w - b * x - c * y - d * z,
+            a * x + b * w + c * z - d * y,
+            a * y - b * z + c * w + d * x,
+            a * z + b * y - c * x + d * w,
+        ]
+        return Pose(position=self.to_body(child.position), quaternion=np.array(product))
+
+
+def _combine(coefficients: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """sum_k coefficients[..., k] rows[k], in a fixed order of additions."""
+    x, y, z = coefficients[..., 0:1], coefficients[..., 1:2], coefficients[..., 2:3]
+    combined: np.ndarray = x * rows[0] + y * rows[1] + z * rows[2]
+    return combined

@@ -1,0 +1,126 @@
+"""Finger forces that balance a wrench within a cap and lean on friction as little as possible.
+
+    minimise k   subject to   sum_i G_i f_i = -w,   |t_i| <= k r_i n_i,   |f_i| <= cap,
+
+with n_i, t_i the normal and tangential parts of f_i and r_i the friction of contact i relative to the
+largest. The level of friction does not enter, so in the experiment only the simulator decides whether the
+forces hold. Because phi(w, k r) falls as k grows (it is Subproblem 2 with friction k r), the least k is the
+root of phi(w, k r) = cap.
+"""
+
+import numpy as np
+
+from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.forces.minimax import MinimaxForces
+
+STEEPEST = np.deg2rad(89.0)
+"""Largest friction angle the fingers ever count on [rad]."""
+ANGLE_TOLERANCE = 1e-6
+"""Bracket of the least friction angle at which the search stops [rad]."""
+CAP_TOLERANCE = 1e-4
+"""Forces that reach the cap within this part have the least utilisation."""
+MOST_SOLVES = 60
+"""Bound on the search, which takes 5 or 6 solves."""
+BISECTION_EVERY = 8
+"""Every so many steps the bracket is halved: progress where phi jumps."""
+PRESS = 1e3
+"""Cap on the answer to a unit press along every normal, when an internal force is sought."""
+ROUND_OFF = 1e-12
+"""A sum of presses below this part of its terms is zero."""
+
+
+class FeedForward:
+    """Least-utilisation forces of one grasp. Not for several threads at once."""
+
+    def __init__(self, contacts: Contacts, reference_point: np.ndarray) -> None:
+        """
+        Args:
+            contacts: The grasp; only the ratios of its friction coefficients are used.
+            reference_point: Point the wrenches refer to, shape (d,) [m].
+        """
+        self.frames = contact_frames(contacts.normals)
+        self.maps = grasp_maps(contacts.points, reference_point) @ self.frames
+        self.ratios = contacts.friction / contacts.friction.max()
+        self.length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
+        self._solver = MinimaxForces(len(contacts), contacts.dimension)
+
+    def forces(self, wrench: np.ndarray, cap: float) -> np.ndarray:
+        """Forces that answer `wrench`.
+
+        Where no friction whatever balances it within the cap, the best effort: the forces of the least
+        largest norm under the steepest friction, scaled down to the cap, or none where these do not exist.
+
+        Args:
+            wrench: External wrench, shape (D,) [N, N m].
+            cap: Largest force norm [N].
+
+        Returns:
+            Contact forces in body axes, shape (contacts, d) [N].
+        """
+        forces, phi = self._least_utilisation(wrench, cap)
+        if phi > cap:
+            forces = forces * (cap / phi) if np.isfinite(phi) else np.zeros_like(forces)
+        return self._in_body_axes(forces)
+
+    def internal_force(self, cap: float) -> np.ndarray:
+        """Forces that balance each other with little utilisation, the largest equal to `cap`.
+
+        The fingers press with one unit along every normal and answer their own press within PRESS units:
+        press and answer together are balanced, and adding a normal leaves no cone. A grasp that cannot
+        squeeze (one that only supports) gets no force.
+
+        Args:
+            cap: Largest force norm [N].
+
+        Returns:
+            Contact forces in body axes, shape (contacts, d) [N].
+        """
+        press = np.zeros_like(self.maps[:, 0])
+        press[:, 0] = 1.0
+        wrench = np.einsum("iDe,ie->D", self.maps, press)
+        wrench[np.abs(wrench) <= ROUND_OFF * np.abs(self.maps[:, :, 0]).sum(axis=0)] = 0.0
+        answer, phi = self._least_utilisation(wrench, PRESS)
+        if phi > PRESS:
+            return np.zeros_like(press)
+        forces = press + answer
+        return self._in_body_axes(forces * (cap / float(np.linalg.norm(forces, axis=1).max())))
+
+    def _least_utilisation(self, wrench: np.ndarray, cap: float) -> tuple[np.ndarray, float]:
+        """Forces in contact frames and their largest norm, which exceeds the cap only if no friction helps.
+
+        Finds the friction angle where cap / phi - 1 changes sign (it is -1 where no forces exist) by the
+        Illinois method: false position that halves the value of an end kept twice in a row.
+        """
+        best = self._solve(wrench, STEEPEST)
+        low, high, low_value, high_value = 0.0, STEEPEST, -1.0, _margin(cap, best[1])
+        kept = 0
+        for step in range(MOST_SOLVES):
+            if _margin(cap, best[1]) <= CAP_TOLERANCE or high - low <= ANGLE_TOLERANCE:
+                break
+            false_position = low - low_value / (high_value - low_value) * (high - low)
+            angle = (low + high) / 2 if step % BISECTION_EVERY == BISECTION_EVERY - 1 else false_position
+            trial = self._solve(wrench, angle)
+            value = _margin(cap, trial[1])
+            if value >= 0:
+                best, high, high_value = trial, angle, value
+                low_value /= 2 if kept == 1 else 1
+                kept = 1
+            else:
+                low, low_value = angle, value
+                high_value /= 2 if kept == -1 else 1
+                kept = -1
+        return best
+
+    def _in_body_axes(self, forces: np.ndarray) -> np.ndarray:
+        turned: np.ndarray = np.einsum("ide,ie->id", self.frames, forces)
+        return turned
+
+    def _solve(self, wrench: np.ndarray, angle: float) -> tuple[np.ndarray, float]:
+        """Forces of least largest norm at one friction angle, and that norm; infinite where there are none."""
+        forces, phi, _ = self._solver.solve_arrays(self.maps, np.tan(angle) * self.ratios, wrench, self.length)
+        return forces, phi
+
+
+def _margin(cap: float, phi: float) -> float:
+    """cap / phi - 1: positive where the cap suffices."""
+    return cap / phi - 1 if phi > 0 else np.inf

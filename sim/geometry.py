@@ -1,0 +1,40 @@
+"""One MJCF geom per convex part of the object, of the type MuJoCo collided it as in the object's own file."""
+
+from planner.errors import SimulationError
+from planner.objects.parts.box import Box
+from planner.objects.parts.capsule import Capsule
+from planner.objects.parts.cylinder import Cylinder
+from planner.objects.parts.ellipsoid import Ellipsoid
+from planner.objects.parts.polyhedron import Polyhedron
+from planner.objects.parts.sphere import Sphere
+from planner.objects.rigid_object import ConvexPart
+from sim.composer import mjcf
+from sim.similarity import Similarity
+
+PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule
+"""Parts that MuJoCo knows by a pose and a size."""
+
+
+def add_part(body: mjcf.Element, name: str, part: ConvexPart, similarity: Similarity) -> mjcf.Element:
+    """Add the part to a body whose frame has the axes of B and its origin at the reference point.
+
+    The geom by itself collides with nothing: contacts are listed pair by pair.
+
+    Args:
+        body: The MJCF body.
+        name: Name of the new geom.
+        part: The part, in the body frame, SI.
+        similarity: Map to the units of the experiment.
+
+    Raises:
+        SimulationError: If the kind of part is unknown.
+    """
+    if isinstance(part, PRIMITIVES):
+        position = similarity.points(part.pose.position)
+        shape = {"pos": position, "quat": part.pose.quaternion, "size": part.size * similarity.length}
+    elif isinstance(part, Polyhedron):
+        vertices = similarity.points(part.vertices).ravel()
+        shape = {"mesh": body.root.asset.add("mesh", name=name, vertex=vertices, inertia="convex")}
+    else:
+        raise SimulationError(f"geom '{part.geom}' has no MJCF counterpart to simulate: {type(part).__name__}")
+    return body.add("geom", name=name, type=part.mjcf_type, contype=0, conaffinity=0, **shape)

@@ -1,0 +1,128 @@
+"""The measuring protocol: every constant of the experiment and every threshold of its verdict.
+
+The experiment is non-dimensional (sim/similarity.py): the farthest contact lies `reach` from the reference
+point and the predicted rho is one newton. MuJoCo's default solver and contact settings cannot make this
+measurement; each setting below says what was wrong without it, out of 1,216 grasp and wrench pairs that
+should all hold.
+"""
+
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidationProtocol:
+    """Settings of the scene, the solver, the fingers, the schedule and the verdict."""
+
+    name: str
+    """Name and version: one name, one set of values."""
+
+    # The non-dimensional scene
+    reach: float = 0.05
+    """Distance of the farthest contact from the reference point [m]."""
+
+    tip_radius: float = 0.04
+    """Radius of a fingertip, relative to the reach; measured equal up to 0.4."""
+
+    tip_mass: float = 0.01
+    """Mass of a fingertip [kg]; measured equal from 0.003 to 0.03."""
+
+    object_mass: float = 0.1
+    """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
+
+    # Contact
+    solref: tuple[float, float] = (0.002, 1.0)
+    """Time constant [s] and damping ratio of a contact: two time steps, critical; 0.02 s fails 55 falsely."""
+
+    solimp: tuple[float, float, float, float, float] = (0.999, 0.9999, 1e-3, 0.5, 2.0)
+    """Constraint impedance; MuJoCo's 0.9 0.95 fails 1,190 falsely: soft friction creeps."""
+
+    cone: str = "elliptic"
+    """The circular cone of the prediction; a pyramidal one fails all 1,216."""
+
+    impratio: float = 100.0
+    """Friction-to-normal impedance; 1 fails 1,013 falsely, 10 fails 4, 30 to 1000 none."""
+
+    # Solver
+    timestep: float = 1e-3
+    """Time step [s]; 4 ms fails 29 falsely, 0.25 to 2 ms none."""
+
+    integrator: str = "implicitfast"
+    """All integrators measured equal."""
+
+    solver: str = "Newton"
+    """Newton; conjugate gradients fail 1,086 falsely."""
+
+    iterations: int = 50
+    """Largest number of solver iterations; 10 fails 11 falsely."""
+
+    tolerance: float = 1e-15
+    """Solver tolerance; MuJoCo's 1e-8 fails 442 falsely, 1e-10 fails 47, 1e-12 and below none."""
+
+    noslip_iterations: int = 0
+    """No post-processing of friction: it is not needed at this tolerance."""
+
+    ccd_tolerance: float = 1e-8
+    """Tolerance of mesh and ellipsoid collisions [m]."""
+
+    jacobian: str = "dense"
+    """Dense: the sparse factorisation of mujoco-core 4.0.0 has a bug."""
+
+    # Fingers
+    stiffness: float = 100.0
+    """Stiffness K that holds a fingertip at its anchor [N/m]; 10 to 250 measured equal, 500 fails falsely."""
+
+    damping_ratio: float = 0.7
+    """Damping of that spring, relative to critical."""
+
+    preload: float = 0.5
+    """Largest force of the preload, relative to the cap."""
+
+    # Schedule
+    preload_time: float = 0.05
+    """Seconds in which the preload grows [s]; applied at once it makes grasps slip that hold."""
+
+    ramp_time: float = 0.15
+    """Seconds in which wrench and forces grow to their full values [s]."""
+
+    hold_time: float = 0.35
+    """Seconds under the full wrench [s]."""
+
+    # Geometry
+    touch_tolerance: float = 1e-6
+    """Largest gap or overlap of a fingertip and the object before the test, relative to the object's size."""
+
+    clearance: float = 2e-4
+    """Least distance of a fingertip from any other geom of the object, relative to the reach."""
+
+    # Verdict
+    loaded: float = 0.01
+    """A finger is judged when its force exceeds this part of the cap."""
+
+    slip_tolerance: float = 2e-4
+    """Largest slip of a held fingertip, relative to the reach: seen 1e-5 above the cap, 4e-4 at 0.995 of it."""
+
+    motion_tolerance: float = 1e-3
+    """Largest motion of a held object: translation relative to the reach, rotation in radians."""
+
+    hold_factor: float = 1.02
+    """Every wrench must be held with the cap at this multiple of rho."""
+
+    control_factor: float = 0.98
+    """The critical wrench must slip with the cap at this multiple of rho."""
+
+    @property
+    def damping(self) -> float:
+        """Damping of a finger, 2 zeta sqrt(K m) [N s/m]."""
+        return 2 * self.damping_ratio * float((self.stiffness * self.tip_mass) ** 0.5)
+
+    @property
+    def duration(self) -> float:
+        """Length of one trial [s]."""
+        return self.preload_time + self.ramp_time + self.hold_time
+
+
+ACTIVE = ValidationProtocol(name="rhograsp.active/1")
+"""Finger forces adapt to each wrench, which is what rho means."""
+
+STRICT = replace(ACTIVE, name="rhograsp.active-strict/1", hold_factor=1.005, control_factor=0.995)
+"""The same with a four times narrower band around rho."""

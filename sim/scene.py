@@ -1,0 +1,151 @@
+"""The validation scene: the object floats at the origin, one free sphere touches it at every contact.
+
+Composed with dm_control.mjcf in the units of the experiment (sim/similarity.py): world axes are the body
+axes and the origin is the reference point, where the object's inertial frame lies too. MuJoCo applies
+external forces at the centre of mass, so the force it is given is exactly the wrench about the reference point.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from planner.contacts import Contacts
+from planner.errors import SimulationError
+from planner.objects.rigid_object import ConvexPart
+from sim.composer import mjcf
+from sim.geometry import add_part
+from sim.protocol import ValidationProtocol
+from sim.similarity import Similarity
+
+OBJECT = "object"
+"""Name of the object's body."""
+OBJECT_POSITION, OBJECT_QUATERNION = slice(0, 3), slice(3, 7)
+"""Where qpos holds the object's pose."""
+TIP_POSITIONS, TIP_VELOCITIES = slice(7, None), slice(6, None)
+"""Where qpos and qvel hold the fingertips' displacements from their anchors, three per finger."""
+SENSOR = ("found", "force")
+"""What every fingertip's contact sensor reports: number of contacts, then the force in the contact frame."""
+SENSOR_WIDTH = 4
+"""Numbers per sensor."""
+PRECISION = 17
+"""Digits that carry a double through XML unchanged."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Scene:
+    """The compiled scene, in the units of the experiment."""
+
+    model: mujoco.MjModel
+
+    contacts: Contacts
+    """Contacts where the fingertips were placed; friction is the simulated one."""
+
+    object_body: int
+    """Body id of the object."""
+
+    object_geoms: np.ndarray
+    """Geom ids of the object's parts, shape (parts,)."""
+
+    tip_geoms: np.ndarray
+    """Geom ids of the fingertips, shape (contacts,)."""
+
+    tip_radius: float
+    """[m]"""
+
+
+def build_scene(
+    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol
+) -> Scene:
+    """Compose and compile the scene.
+
+    Args:
+        parts: The object's collision geoms, in the body frame, SI.
+        contacts: The grasp in the body frame, SI, with the friction to simulate.
+        similarity: Map to the units of the experiment.
+        protocol: Settings.
+
+    Raises:
+        SimulationError: When MuJoCo cannot compile the scene.
+    """
+    touching = similarity.contacts(contacts)
+    root = _compose(parts, touching, similarity, protocol)
+    try:
+        model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
+    except ValueError as error:
+        raise SimulationError(f"MuJoCo cannot compile the validation scene: {error}") from error
+    return Scene(
+        model=model,
+        contacts=touching,
+        object_body=model.body(OBJECT).id,
+        object_geoms=np.array([model.geom(_part_name(part)).id for part in range(len(parts))]),
+        tip_geoms=np.array([model.geom(_tip_name(finger)).id for finger in range(len(contacts))]),
+        tip_radius=protocol.tip_radius * protocol.reach,
+    )
+
+
+def _compose(
+    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol
+) -> mjcf.RootElement:
+    root = mjcf.RootElement(model="validation")
+    _set_options(root, protocol)
+    body = root.worldbody.add("body", name=OBJECT)
+    body.add("freejoint")
+    inertia = protocol.object_mass * protocol.reach**2
+    body.add("inertial", pos=np.zeros(3), mass=protocol.object_mass, diaginertia=np.full(3, inertia))
+    geoms = [add_part(body, _part_name(index), part, similarity) for index, part in enumerate(parts)]
+    for finger in range(len(contacts)):
+        _add_finger(root, geoms, contacts, finger, protocol)
+    return root
+
+
+def _set_options(root: mjcf.RootElement, protocol: ValidationProtocol) -> None:
+    root.option.set_attributes(
+        timestep=protocol.timestep,
+        integrator=protocol.integrator,
+        cone=protocol.cone,
+        jacobian=protocol.jacobian,
+        solver=protocol.solver,
+        iterations=protocol.iterations,
+        tolerance=protocol.tolerance,
+        impratio=protocol.impratio,
+        noslip_iterations=protocol.noslip_iterations,
+        ccd_tolerance=protocol.ccd_tolerance,
+    )
+    # W_R holds every load, gravity included; a simulation that diverges must not restart and look held
+    root.option.flag.set_attributes(gravity="disable", autoreset="disable")
+
+
+def _add_finger(
+    root: mjcf.RootElement, geoms: Sequence[mjcf.Element], contacts: Contacts, finger: int, protocol: ValidationProtocol
+) -> None:
+    """A sphere that slides but does not turn, touching at its contact, and collides with the object only."""
+    radius = protocol.tip_radius * protocol.reach
+    body = root.worldbody.add("body", pos=contacts.points[finger] - radius * contacts.normals[finger])
+    for axis in np.eye(3):
+        body.add("joint", type="slide", axis=axis)
+    name = _tip_name(finger)
+    tip = body.add("geom", name=name, type="sphere", size=[radius], mass=protocol.tip_mass, contype=0, conaffinity=0)
+    sliding = contacts.friction[finger]
+    for geom in geoms:
+        root.contact.add(
+            "pair",
+            geom1=tip,
+            geom2=geom,
+            condim=3,
+            friction=[sliding, sliding, 0, 0, 0],
+            solref=protocol.solref,
+            solimp=protocol.solimp,
+            margin=0,
+            gap=0,
+        )
+    root.sensor.add("contact", name=name, geom1=tip, data=" ".join(SENSOR), num=1, reduce="maxforce")
+
+
+def _part_name(part: int) -> str:
+    return f"part_{part}"
+
+
+def _tip_name(finger: int) -> str:
+    return f"tip_{finger}"

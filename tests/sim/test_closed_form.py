@@ -1,0 +1,60 @@
+"""Physics that a pencil can check: no planner and no convex programme takes part."""
+
+import numpy as np
+import pytest
+
+from planner.contacts import Contacts
+from sim.measurement import Measurement, measure
+from sim.protocol import ACTIVE
+from sim.scene import build_scene
+from sim.similarity import similarity
+from sim.trial import Trial, run
+from tests.sim.planned import box
+
+FRICTION, PRESS = 0.4, 1.0
+
+
+def squeezed_box(weights: np.ndarray, friction: np.ndarray) -> Measurement:
+    """Two fingers press the sides of a box with PRESS and lift half of each weight, one simulation per weight."""
+    points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
+    contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
+    units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
+    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE)
+    down = np.zeros((len(weights), 6))
+    down[:, 2] = -weights
+    press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)
+    lift = 0.5 * weights[:, None, None] * np.array([0, 0, 1.0])
+    trial = Trial(wrenches=down, caps=np.full(len(weights), 10.0), preloads=press, forces=press + lift)
+    return measure(scene, trial, run(scene, trial, ACTIVE), 1.0, ACTIVE)
+
+
+def test_two_opposed_fingers_hold_a_weight_up_to_twice_friction_times_press() -> None:
+    weights = 2 * FRICTION * PRESS * np.array([0.5, 0.99, 1.01, 1.5])
+    outcome = squeezed_box(weights, np.full(2, FRICTION))
+    np.testing.assert_array_equal(outcome.held, [True, True, False, False])
+
+
+def test_held_contact_forces_are_press_and_half_the_weight() -> None:
+    weight = 0.7
+    outcome = squeezed_box(np.array([weight]), np.full(2, FRICTION))
+    np.testing.assert_allclose(outcome.measured_forces[0], np.hypot(PRESS, weight / 2), rtol=1e-4)
+
+
+def test_the_finger_with_less_friction_is_the_one_that_slips() -> None:
+    outcome = squeezed_box(np.array([1.02 * 2 * 0.2 * PRESS]), np.array([0.2, 0.8]))
+    assert not outcome.held[0]
+    assert outcome.slips[0, 0] > ACTIVE.slip_tolerance > outcome.slips[0, 1]
+
+
+def test_a_box_that_nothing_holds_falls_as_newton_says() -> None:
+    outcome = squeezed_box(np.array([-0.0, 30.0]), np.full(2, 1e-4))
+    fall_time = ACTIVE.hold_time
+    assert outcome.held[0] and not outcome.held[1]
+    assert outcome.translations[1] * ACTIVE.reach > 0.5 * (30.0 / ACTIVE.object_mass) * fall_time**2
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_simulations_of_a_batch_do_not_influence_each_other(count: int) -> None:
+    alone = squeezed_box(np.array([0.7]), np.full(2, FRICTION))
+    together = squeezed_box(np.array([0.7, *np.full(count, 2.0)]), np.full(2, FRICTION))
+    np.testing.assert_array_equal(together.slips[0], alone.slips[0])
