@@ -25,6 +25,10 @@ class ContactError(RhograspError):
     """Contact points, normals or friction coefficients are malformed."""
 
 
+class SettingError(RhograspError):
+    """A setting of a search or of a measurement is out of range."""
+
+
 class GraspFileError(RhograspError):
     """A grasp file is missing, truncated, inconsistent, or of an unknown version."""
 

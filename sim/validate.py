@@ -13,13 +13,10 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
-from sim.adaptive import adaptive_trial
-from sim.measurement import Measurement, measure
+from sim.experiment import check_wrenches, set_up
+from sim.measurement import Measurement
 from sim.protocol import ACTIVE, ValidationProtocol
-from sim.scene import Scene, build_scene
-from sim.similarity import Similarity, similarity
-from sim.static_check import StaticCheck, check_touch
-from sim.trial import run
+from sim.static_check import StaticCheck
 from sim.verdict import objections
 
 
@@ -93,16 +90,18 @@ def validate(
     Raises:
         SimulationError: When the experiment cannot be built or run as described.
     """
-    _check_input(contacts, wrenches, critical_wrench, phi)
+    check_wrenches(wrenches, phi)
+    if not 0 <= critical_wrench < len(wrenches):
+        raise SimulationError(f"critical wrench {critical_wrench} is not an index of {len(wrenches)} wrenches")
     friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
-    units = similarity(contacts, reference_point, rho, protocol.reach)
-    touching = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
-    scene = build_scene(rigid_object.parts, touching, units, protocol)
-    static = check_touch(scene, rigid_object.size, units.length, protocol)
+    experiment = set_up(rigid_object, contacts, reference_point, rho, friction, protocol)
     vertices = control = None
-    reasons = static.reasons()
+    reasons = experiment.static.reasons()
     if not reasons:
-        vertices, control = _measure_both(scene, contacts, units, wrenches, critical_wrench, protocol)
+        loads = np.vstack([wrenches, wrenches[critical_wrench]])
+        caps = np.append(np.full(len(wrenches), protocol.hold_factor), protocol.control_factor)
+        outcome = experiment.measure(loads, caps)
+        vertices, control = outcome.rows(slice(0, -1)), outcome.rows(slice(-1, None))
         reasons = objections(vertices, control, critical_wrench, protocol)
     return Validation(
         verdict=not reasons,
@@ -113,7 +112,7 @@ def validate(
         phi=phi,
         planned_friction=contacts.friction,
         simulated_friction=friction,
-        static=static,
+        static=experiment.static,
         vertices=vertices,
         control=control,
         protocol=protocol,
@@ -123,29 +122,3 @@ def validate(
             "dm-control": version("dm-control"),
         },
     )
-
-
-def _measure_both(
-    scene: Scene,
-    contacts: Contacts,
-    units: Similarity,
-    wrenches: np.ndarray,
-    critical_wrench: int,
-    protocol: ValidationProtocol,
-) -> tuple[Measurement, Measurement]:
-    """All wrenches above rho and the critical one below it, in one batch."""
-    loads = np.vstack([wrenches, wrenches[critical_wrench]])
-    caps = np.append(np.full(len(wrenches), protocol.hold_factor), protocol.control_factor)
-    trial = adaptive_trial(contacts, units, loads, caps, protocol)
-    outcome = measure(scene, trial, run(scene, trial, protocol), 1 / units.force, protocol)
-    return outcome.rows(slice(0, -1)), outcome.rows(slice(-1, None))
-
-
-def _check_input(contacts: Contacts, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray) -> None:
-    """Raises SimulationError on arrays that do not belong together."""
-    if wrenches.ndim != 2 or wrenches.shape[1] != 6 or not len(wrenches) or not np.isfinite(wrenches).all():
-        raise SimulationError(f"wrenches have shape {wrenches.shape}; a simulation needs finite (1 or more, 6)")
-    if phi.shape != (len(wrenches),):
-        raise SimulationError(f"phi has shape {phi.shape}; expected one value for each of {len(wrenches)} wrenches")
-    if not 0 <= critical_wrench < len(wrenches):
-        raise SimulationError(f"critical wrench {critical_wrench} is not an index of {len(wrenches)} wrenches")

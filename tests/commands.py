@@ -1,15 +1,34 @@
-"""Run the project's commands as a user does, in a process of their own."""
+"""Run the project's commands as a user types them, in this process."""
 
-import subprocess
+import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
+
+import pytest
+
+from planner.commands import plan, verify
+from sim.commands import validate
 
 ROOT = Path(__file__).resolve().parents[1]
 ASSETS = ROOT / "assets"
+PRISM = ASSETS / "prism" / "prism.xml"
+
+MAINS: dict[str, Callable[[], None]] = {
+    "grasp-plan": plan.main,
+    "grasp-verify": verify.main,
+    "grasp-validate": validate.main,
+}
 
 
-def run_script(name: str, *arguments: object, cwd: Path) -> subprocess.CompletedProcess[str]:
-    """Run `scripts/NAME.py` with arguments in a folder."""
-    script = ROOT / "scripts" / f"{name}.py"
-    command = [sys.executable, str(script), *map(str, arguments)]
-    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, timeout=300, check=False)
+def run(command: str, *arguments: object) -> int:
+    """Run a console command; returns its exit code."""
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(SystemExit) as left:
+        patch.setattr(sys, "argv", [command, *map(str, arguments)])
+        MAINS[command]()
+    return int(left.value.code or 0)
+
+
+def says(text: str, pattern: str) -> bool:
+    """Whether a message, its line breaks aside, matches a pattern."""
+    return re.search(pattern, " ".join(text.split())) is not None

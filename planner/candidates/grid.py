@@ -31,6 +31,8 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
     """
     if not (np.isfinite(spacing) and spacing > 0):
         raise CandidateError(f"the grid's spacing is {spacing}; it must be positive and finite, in metres")
+    if rigid_object.size > MOST_CANDIDATES * spacing:
+        raise _too_fine(rigid_object, spacing)
     facets = []
     for index, part in enumerate(rigid_object.parts):
         if not isinstance(part, Polyhedron):
@@ -41,10 +43,7 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
         facets += [(index, facet, _Grid(part, facet, spacing)) for facet in range(len(part.polygons))]
     cells = sum(float(np.prod(grid.cells)) for _, _, grid in facets)
     if cells > MOST_CANDIDATES:
-        raise CandidateError(
-            f"a spacing of {spacing:g} m gives {cells:.3g} cells, more than {MOST_CANDIDATES}; "
-            f"the object is {rigid_object.size:g} m long, choose a larger spacing"
-        )
+        raise _too_fine(rigid_object, spacing)
     centers = [grid.centers(STRICTLY_INSIDE * rigid_object.size) for _, _, grid in facets]
     counts = [len(each) for each in centers]
     part_of = np.repeat([index for index, _, _ in facets], counts)
@@ -54,6 +53,13 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
     if not outside.any():
         raise CandidateError(f"no cell centre of a grid of {spacing:g} m lies on the surface; choose a smaller spacing")
     return candidates_at(rigid_object, points[outside], part_of[outside], facet_of[outside], friction)
+
+
+def _too_fine(rigid_object: RigidObject, spacing: float) -> CandidateError:
+    return CandidateError(
+        f"a spacing of {spacing:g} m gives more than {MOST_CANDIDATES} cells; "
+        f"the object is {rigid_object.size:.3g} m long, choose a larger spacing"
+    )
 
 
 class _Grid:

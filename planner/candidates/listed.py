@@ -1,6 +1,5 @@
 """Candidates at points the user lists."""
 
-import csv
 from pathlib import Path
 
 import numpy as np
@@ -34,12 +33,14 @@ def read_points(path: Path) -> np.ndarray:
     except (OSError, ValueError) as error:
         raise CandidateError(f"the points in '{path}' cannot be read: {error}") from error
     rows: list[tuple[float, ...]] = []
+    header_allowed = True
     for number, line in enumerate(lines, start=1):
         text = line.split("#", 1)[0].strip()
         if not text:
             continue
-        row = _three_numbers(text)
-        if row is None and not rows and _is_header(text):
+        row, header = _three_numbers(text), header_allowed and _is_header(text)
+        header_allowed = False
+        if header:
             continue
         if row is None:
             raise CandidateError(f"line {number} of '{path}' is {text[:80]!r}; expected three finite numbers x,y,z")
@@ -107,8 +108,8 @@ def _require_on_surface(
 def _three_numbers(text: str) -> tuple[float, ...] | None:
     """The three finite numbers of a line, or None."""
     try:
-        row = tuple(float(cell) for cell in next(csv.reader([text])))
-    except (ValueError, csv.Error):
+        row = tuple(float(cell) for cell in text.split(","))
+    except ValueError:
         return None
     return row if len(row) == 3 and bool(np.isfinite(row).all()) else None
 

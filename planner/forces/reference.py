@@ -1,90 +1,25 @@
-"""The inner problem as the textbook states it, in CVXPY: slow, and independent of the fast solver.
+"""The inner problem as the textbook states it: a second-order cone program without contact frames.
 
-    min phi   s.t.   sum_i G_i f_i = -w,   |f_i - (n_i . f_i) n_i| <= mu_i n_i . f_i,   |f_i| <= phi
+    |f_i - (n_i . f_i) n_i| <= mu_i n_i . f_i,   |f_i| <= phi
 
-Everything is in the body frame, without contact frames. Moments are divided by the problem's length and the
-wrench by its size, so that the solver's tolerances are relative. Source: Watanabe and Yoshikawa, eq. (2), (3), (7).
+Source: Watanabe and Yoshikawa, eq. (3) and (7).
 """
 
-import warnings
 from typing import Any
 
 import numpy as np
 
-from planner.contacts import grasp_maps, wrench_dimension
-from planner.errors import SolverError
-from planner.forces.problem import ForceProblem, ForceSolution
+from planner.forces.cvxpy_forces import CvxpyForces
 
 
-class ReferenceForces:
-    """Solver of Subproblem 2 for a fixed number of fingers, compiled once by CVXPY (a DPP problem)."""
+class ReferenceForces(CvxpyForces):
+    """Subproblem 2 with norms."""
 
-    def __init__(self, fingers: int, dimension: int) -> None:
-        """
-        Args:
-            fingers: Number of contacts m.
-            dimension: d, 2 or 3.
-        """
-        import cvxpy as cp  # here: it costs a second that only references and tests need to pay
+    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+        """I - n n^T, shape (d, d)."""
+        return np.eye(len(normal)) - np.outer(normal, normal)
 
-        rows = wrench_dimension(dimension)
-        self._maps = [cp.Parameter((rows, dimension)) for _ in range(fingers)]
-        self._tangents = [cp.Parameter((dimension, dimension)) for _ in range(fingers)]  # I - n n^T
-        self._slopes = [cp.Parameter(dimension) for _ in range(fingers)]  # mu n
-        self._wrench = cp.Parameter(rows)
-        self._forces = [cp.Variable(dimension) for _ in range(fingers)]
-        phi = cp.Variable()
-        total = sum(grasp_map @ force for grasp_map, force in zip(self._maps, self._forces, strict=True))
-        self._balance = total == -self._wrench
-        cones = [
-            cp.norm(tangent @ force) <= slope @ force
-            for tangent, slope, force in zip(self._tangents, self._slopes, self._forces, strict=True)
-        ]
-        caps = [cp.norm(force) <= phi for force in self._forces]
-        self._problem: Any = cp.Problem(cp.Minimize(phi), [self._balance, *cones, *caps])
-        self._solver_error: type[Exception] = cp.SolverError
+    def inequalities(self, phi: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+        import cvxpy as cp
 
-    def solve(self, problem: ForceProblem) -> ForceSolution:
-        """Solve one problem.
-
-        Args:
-            problem: With this solver's number of contacts and dimension.
-
-        Raises:
-            SolverError: When CVXPY returns neither an optimum nor a proof that there is none.
-        """
-        contacts = problem.contacts
-        scale = np.ones(len(problem.wrench))
-        scale[contacts.dimension :] = 1 / problem.length
-        load = scale * problem.wrench
-        unit = float(np.linalg.norm(load)) or 1.0  # [N]
-        self._wrench.value = load / unit
-        maps = grasp_maps(contacts.points, problem.reference_point)
-        for finger, normal in enumerate(contacts.normals):
-            self._maps[finger].value = scale[:, None] * maps[finger]
-            self._tangents[finger].value = np.eye(len(normal)) - np.outer(normal, normal)
-            self._slopes[finger].value = contacts.friction[finger] * normal
-        feasible = self._optimise()
-        forces = np.full(contacts.points.shape, np.nan)
-        if feasible:
-            forces = unit * np.array([force.value for force in self._forces])
-        return ForceSolution(
-            problem=problem,
-            feasible=feasible,
-            forces=forces,
-            phi=float(np.linalg.norm(forces, axis=1).max()) if feasible else np.inf,
-            direction=-scale * np.asarray(self._balance.dual_value, dtype=float),
-        )
-
-    def _optimise(self) -> bool:
-        """Whether the problem with the present parameters has a solution."""
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # an inaccurate solution shows in the status
-                self._problem.solve(solver="CLARABEL")
-        except self._solver_error as error:
-            raise SolverError(f"CVXPY failed on a force problem of {len(self._forces)} fingers: {error}") from error
-        status = str(self._problem.status)
-        if status not in ("optimal", "optimal_inaccurate", "infeasible", "infeasible_inaccurate"):
-            raise SolverError(f"CVXPY stopped with status {status!r} on a force problem of {len(self._forces)} fingers")
-        return status.startswith("optimal")
+        return [cp.norm(tangential) <= limit, cp.norm(force) <= phi]

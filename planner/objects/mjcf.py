@@ -77,7 +77,7 @@ def _compile(path: Path) -> mujoco.MjModel:
         raise ObjectError(f"there is no file '{path}'; give the path of an MJCF object")
     try:
         return mujoco.MjModel.from_xml_path(str(path))
-    except ValueError as error:
+    except (ValueError, mujoco.FatalError) as error:
         model = _compile_without_textures(path)
         if model is None:
             raise ObjectError(f"MuJoCo cannot compile '{path}': {error}") from error
@@ -96,7 +96,7 @@ def _compile_without_textures(path: Path) -> mujoco.MjModel | None:
         for asset in [*spec.materials, *spec.textures]:
             spec.delete(asset)
         return spec.compile()
-    except ValueError:
+    except (ValueError, mujoco.FatalError):
         return None
 
 

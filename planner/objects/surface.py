@@ -21,7 +21,7 @@ RESOLUTION = 1e-4
 """Triangles shorter than this, relative to the object's size, are not cut."""
 
 BATCH, MOST_BATCHES = 1024, 400
-"""Triangles cut at once, and how often at most; no object seen needs a tenth of that."""
+"""Triangles cut at once, and how often at most: ten times what the worst object seen took (38)."""
 
 
 def surface_distance(rigid_object: RigidObject, point: np.ndarray) -> float:
@@ -39,7 +39,7 @@ def surface_distance(rigid_object: RigidObject, point: np.ndarray) -> float:
         The distance, not negative, inside as outside [m].
 
     Raises:
-        ObjectError: If the point is not finite.
+        ObjectError: If the point is not finite, or the parts hide each other so that no exposed point is found.
     """
     if not np.isfinite(point).all():
         raise ObjectError(f"the point {point} is not finite; give a point of the body frame in metres")
@@ -57,6 +57,8 @@ def surface_distance(rigid_object: RigidObject, point: np.ndarray) -> float:
         children = children.subset(~children.buried())
         bounds = np.concatenate([bounds[promising[BATCH:]], children.lower_bounds(point)])
         patches = patches.subset(promising[BATCH:]).joined(children)
+    if not np.isfinite(nearest):
+        raise ObjectError("no exposed point was found on the object's surface; remove parts that hide each other")
     return nearest
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.errors import SettingError
 from planner.search.closure import impossible_direction
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluation, Evaluator
@@ -36,7 +37,11 @@ SOLVER_ACCURACY = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class CertifiedSearch:
-    """Global optimum to a proven relative gap. Anytime: at a limit it returns its best grasp and the true gap."""
+    """Global optimum to a proven relative gap. Anytime: at a limit it returns its best grasp and the true gap.
+
+    Raises:
+        SettingError: When a setting is out of range.
+    """
 
     gap: float = 1e-3
     """Stop when rho / lower_bound - 1 is proven to be at most this."""
@@ -46,6 +51,14 @@ class CertifiedSearch:
 
     seed: int = 0
     """Seed of the starts of the local search; the proof does not depend on it."""
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.gap < np.inf:
+            raise SettingError(f"the gap is {self.gap}; it must be 0 or more, for example 1e-3")
+        if not self.time_limit >= 0:
+            raise SettingError(f"the time limit is {self.time_limit} s; it must be 0 or more")
+        if self.seed < 0:
+            raise SettingError(f"the seed is {self.seed}; it must be 0 or more")
 
     def run(self, problem: SearchProblem, observe: Callable[[Progress], None] = lambda _: None) -> SearchResult:
         """Search until the gap is proven, time is up, or the user interrupts.

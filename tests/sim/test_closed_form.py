@@ -47,7 +47,7 @@ def test_the_finger_with_less_friction_is_the_one_that_slips() -> None:
 
 
 def test_a_box_that_nothing_holds_falls_as_newton_says() -> None:
-    outcome = squeezed_box(np.array([-0.0, 30.0]), np.full(2, 1e-4))
+    outcome = squeezed_box(np.array([0.0, 30.0]), np.full(2, 1e-4))
     fall_time = ACTIVE.hold_time
     assert outcome.held[0] and not outcome.held[1]
     assert outcome.translations[1] * ACTIVE.reach > 0.5 * (30.0 / ACTIVE.object_mass) * fall_time**2

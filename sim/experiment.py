@@ -1,0 +1,86 @@
+"""A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.contacts import Contacts
+from planner.errors import SimulationError
+from planner.objects.rigid_object import RigidObject
+from sim.adaptive import adaptive_trial
+from sim.measurement import Measurement, measure
+from sim.protocol import ValidationProtocol
+from sim.scene import Scene, build_scene
+from sim.similarity import Similarity, similarity
+from sim.static_check import StaticCheck, check_touch
+from sim.trial import run
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Experiment:
+    """The compiled scene of one grasp with its units and protocol."""
+
+    contacts: Contacts
+    """The grasp in the body frame, SI, with the planned friction."""
+
+    units: Similarity
+    scene: Scene
+    protocol: ValidationProtocol
+
+    static: StaticCheck
+    """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
+
+    def measure(self, wrenches: np.ndarray, caps: np.ndarray) -> Measurement:
+        """Run all simulations in one batch, the forces answering each wrench within its cap.
+
+        Args:
+            wrenches: One per simulation, shape (simulations, 6) [N, N m].
+            caps: One per simulation, relative to rho, shape (simulations,).
+
+        Raises:
+            SimulationError: When MuJoCo stops or loses a simulation.
+        """
+        trial = adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
+        final = run(self.scene, trial, self.protocol)
+        return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
+
+
+def set_up(
+    rigid_object: RigidObject,
+    contacts: Contacts,
+    reference_point: np.ndarray,
+    rho: float,
+    friction: np.ndarray,
+    protocol: ValidationProtocol,
+) -> Experiment:
+    """Compose and compile the scene and check where the fingertips are.
+
+    Args:
+        rigid_object: What the fingers hold.
+        contacts: The grasp, with the planned friction.
+        reference_point: p_o, shape (3,) [m].
+        rho: Predicted force cap, the experiment's newton [N].
+        friction: Friction in the simulator, shape (contacts,).
+        protocol: Settings.
+
+    Raises:
+        SimulationError: When the experiment cannot be built.
+        ContactError: When the friction is not one positive number per contact.
+    """
+    units = similarity(contacts, reference_point, rho, protocol.reach)
+    simulated = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
+    scene = build_scene(rigid_object.parts, simulated, units, protocol)
+    static = check_touch(scene, rigid_object.size, units.length, protocol)
+    return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
+
+
+def check_wrenches(wrenches: np.ndarray, phi: np.ndarray) -> None:
+    """Refuse wrenches and predictions that do not belong together.
+
+    Raises:
+        SimulationError: When shapes differ from (l, 6) and (l,), or a wrench is not finite.
+    """
+    if wrenches.ndim != 2 or wrenches.shape[1] != 6 or not len(wrenches) or not np.isfinite(wrenches).all():
+        raise SimulationError(f"wrenches have shape {wrenches.shape}; a simulation needs finite ones, (1 or more, 6)")
+    if phi.shape != (len(wrenches),):
+        raise SimulationError(f"phi has shape {phi.shape}; expected one value for each of {len(wrenches)} wrenches")

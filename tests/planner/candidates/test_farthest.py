@@ -1,0 +1,28 @@
+"""Blocks make farthest-point sampling faster, not different."""
+
+import numpy as np
+import pytest
+
+from planner.candidates.farthest import farthest_points, neighbour_blocks
+
+
+def plain_farthest_points(pool: np.ndarray, count: int) -> list[int]:
+    chosen = [0]
+    for _ in range(count - 1):
+        distances = ((pool[:, None] - pool[chosen]) ** 2).sum(axis=2).min(axis=1)
+        chosen.append(int(distances.argmax()))
+    return chosen
+
+
+@pytest.mark.parametrize(("size", "count"), [(1, 1), (5, 5), (130, 40), (777, 60), (1000, 60)])
+def test_the_choice_equals_that_of_the_plain_algorithm(size: int, count: int) -> None:
+    pool = np.random.default_rng(size).normal(size=(size, 3)) * [3, 1, 0.2]
+    assert farthest_points(pool, count).tolist() == plain_farthest_points(pool, count)
+
+
+def test_blocks_hold_every_point_and_are_compact() -> None:
+    pool = np.random.default_rng(0).random((5000, 3))
+    blocks = neighbour_blocks(pool)
+    assert set(blocks.ravel()) == set(range(5000))
+    assert len(blocks) >= 32
+    assert np.ptp(pool[blocks], axis=1).mean() < 0.5

@@ -1,0 +1,201 @@
+"""The commands as users meet them: the main job, the exit codes, and every kind of bad input."""
+
+import json
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.commands import ASSETS, PRISM, ROOT, run, says
+
+
+def plan_prism(out: Path, *arguments: object) -> int:
+    return run(
+        "grasp-plan", PRISM, "--friction", 0.3, "--task", "paper", "--candidates", "case3", "--out", out, *arguments
+    )
+
+
+def test_the_main_job_plans_verifies_and_validates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    grasp, validation = tmp_path / "prism.grasp.json", tmp_path / "prism.validation.json"
+    assert plan_prism(grasp) == 0
+    assert says(capsys.readouterr().out, r"rho 0\.669003 N")
+    assert run("grasp-verify", grasp) == 0
+    assert "FAIL" not in capsys.readouterr().out
+    assert run("grasp-validate", grasp, "--out", validation) == 0
+    assert says(capsys.readouterr().out, "64 of 64 wrenches held.* verdict +PASS")
+    document = json.loads(validation.read_text())
+    assert document["format"] == "rhograsp.validation"
+    assert document["verdict"] is True
+    assert document["controls"][0]["held"] is False
+    assert document["protocol"]["hold_factor"] == 1.02
+
+
+def test_the_scripts_are_the_commands(tmp_path: Path) -> None:
+    grasp = tmp_path / "box.grasp.json"
+    for script, *arguments in (
+        ("plan", ASSETS / "box" / "box.xml", "--candidates", "60", "--out", grasp, "--quiet"),
+        ("verify", grasp),
+        ("validate", grasp, "--out", tmp_path / "box.validation.json"),
+    ):
+        command = [sys.executable, ROOT / "scripts" / f"{script}.py", *arguments]
+        done = subprocess.run(
+            [str(part) for part in command], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("script", ["plan", "verify", "validate"])
+def test_help_teaches_and_loads_nothing_heavy(script: str) -> None:
+    code = (
+        f"import sys, runpy; sys.argv = ['x', '--help']\n"
+        f"try: runpy.run_path({str(ROOT / 'scripts' / f'{script}.py')!r}, run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "print('HEAVY', sorted({'mujoco', 'cvxpy', 'scipy', 'trimesh', 'dm_control'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert "HEAVY []" in done.stdout
+    assert says(done.stdout, "exit codes: 0 done and proven")
+
+
+def test_an_impossible_task_is_proven_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    grasp = tmp_path / "pair.grasp.json"
+    assert plan_prism(grasp, "--fingers", 2) == 3
+    assert says(capsys.readouterr().out, "infeasible proven: .* moment about the line")
+    assert run("grasp-verify", grasp) == 0
+    capsys.readouterr()
+    assert run("grasp-validate", grasp) == 1
+    assert says(capsys.readouterr().err, "holds no grasp")
+    assert plan_prism(grasp, "--fingers", 1) == 3
+    assert run("grasp-verify", grasp) == 0
+
+
+def test_one_direction_proves_a_task_beyond_all_candidates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    top = tmp_path / "top.csv"
+    top.write_text("x,y,z\n-0.01,-0.01,0.01\n0,-0.01,0.01\n-0.01,0,0.01\n-0.005,-0.005,0.01\n")
+    grasp = tmp_path / "top.grasp.json"
+    assert run("grasp-plan", PRISM, "--friction", 0.3, "--candidates", top, "--out", grasp) == 3
+    assert says(capsys.readouterr().out, r"direction \(.*\): no contact can push")
+    assert run("grasp-verify", grasp) == 0
+
+
+def test_at_a_time_limit_the_best_grasp_and_its_true_gap_are_written(tmp_path: Path) -> None:
+    grasp = tmp_path / "hasty.grasp.json"
+    assert plan_prism(grasp, "--fingers", 4, "--time-limit", 1.0, "--gap", 0) in (0, 4)
+    document = json.loads(grasp.read_text())
+    if document["status"] == "time_limit" and document["rho"] is not None:
+        assert document["gap"] == pytest.approx(document["rho"] / document["lower_bound"] - 1)
+    assert plan_prism(grasp, "--time-limit", 0) == 4
+    assert json.loads(grasp.read_text())["status"] == "time_limit"
+
+
+BOX = '<mujoco><worldbody><body name="a"><freejoint/><geom type="box" size=".01 .02 .03" {}/></body>{}</worldbody></mujoco>'
+MESH = (
+    '<mujoco><asset><mesh name="m" {}/></asset><worldbody><body><freejoint/><geom type="mesh" mesh="m"/></body>'
+    "</worldbody></mujoco>"
+)
+
+
+def write(path: Path, text: str) -> Path:
+    path.write_text(text)
+    return path
+
+
+def test_bad_objects_are_refused_with_a_reason(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    flat = 'vertex="0 0 0 1 0 0 0 1 0 1 1 0"'
+    nan = 'vertex="0 0 0 1 0 0 0 1 0 nan 0 1"'
+    for name, text, message in (
+        ("missing.xml", None, "missing.xml"),
+        ("broken.xml", "<mujoco><worldbody>", "broken.xml"),
+        ("no_mesh.xml", MESH.format('file="nowhere.stl"'), "nowhere.stl"),
+        ("flat.xml", MESH.format(flat), "flat|volume|coplanar|degenerate|qhull"),
+        ("nan.xml", MESH.format(nan), "nan"),
+        ("plane.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>', "body|collide"),
+        ("ghost.xml", BOX.format('contype="0" conaffinity="0"', ""), "collide"),
+        ("two.xml", BOX.format("", '<body name="b" pos="1 0 0"><freejoint/><geom size=".01"/></body>'), "--body"),
+    ):
+        path = tmp_path / name if text is None else write(tmp_path / name, text)
+        assert run("grasp-plan", path, "--out", tmp_path / "x.grasp.json") == 1, name
+        assert says(capsys.readouterr().err, f"(?i)^error: .*({message})"), name
+    assert run("grasp-plan", tmp_path / "two.xml", "--body", "c", "--out", tmp_path / "x.grasp.json") == 1
+    assert says(capsys.readouterr().err, "'?c'?.*'?a'?.*'?b'?")
+    assert not (tmp_path / "x.grasp.json").exists()
+
+
+def test_bad_options_are_refused_with_a_reason(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    empty = write(tmp_path / "empty.toml", '[set]\nkind = "polytope"\nwrenches = []\n')
+    not_finite = write(tmp_path / "nan.toml", '[set]\nkind = "box"\nforce = [nan, 1, 1]\nmoment = [0, 0, 0]\n')
+    nothing = write(tmp_path / "zero.toml", '[set]\nkind = "single"\nwrench = [0, 0, 0, 0, 0, 0]\n')
+    for arguments, message in (
+        (("--friction", 0), "friction.*0"),
+        (("--friction", -0.3), "friction.*-0.3"),
+        (("--friction", "nan"), "friction.*nan"),
+        (("--fingers", 4, "--candidates", "3"), "4 fingers but only 3"),
+        (("--fingers", 0), "0 fingers"),
+        (("--fingers", 9), "9 fingers"),
+        (("--candidates", "0"), "0"),
+        (("--candidates", "nowhere.csv"), "nowhere.csv"),
+        (("--candidates", "grid:-1"), "-1"),
+        (("--task", "nowhere.toml"), "nowhere.toml"),
+        (("--task", empty), "empty|wrenches"),
+        (("--task", not_finite), "nan|finite"),
+        (("--task", nothing), "zero"),
+        (("--gap", -1), "gap"),
+        (("--gap", "nan"), "gap"),
+        (("--time-limit", -1), "time"),
+        (("--out", tmp_path / "no" / "where.grasp.json"), "cannot write"),
+        (("--out", tmp_path), "cannot write"),
+    ):
+        out = () if "--out" in arguments else ("--out", tmp_path / "x.grasp.json")
+        assert run("grasp-plan", PRISM, *arguments, *out) == 1, arguments
+        assert says(capsys.readouterr().err, f"^error: .*({message})"), arguments
+    assert list(tmp_path.glob("*.json")) == []
+
+
+def test_a_wrong_command_line_is_a_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("grasp-plan") == 2
+    assert run("grasp-plan", PRISM, "--fingers", "three") == 2
+    assert run("grasp-validate", "--speed", 3) == 2
+    capsys.readouterr()
+
+
+def test_a_changed_or_moved_object_is_noticed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shutil.copytree(ASSETS / "ellipsoid", tmp_path / "ellipsoid")
+    copy, grasp = tmp_path / "ellipsoid" / "ellipsoid.xml", tmp_path / "e.grasp.json"
+    assert run("grasp-plan", copy, "--candidates", "60", "--out", grasp, "-q") == 0
+    mesh = copy.with_name("ellipsoid.obj")
+    mesh.write_text(mesh.read_text() + "# touched\n")
+    assert run("grasp-validate", grasp, "--out", tmp_path / "v.json") == 1
+    assert says(capsys.readouterr().err, "has changed since the grasp was planned")
+    shutil.rmtree(copy.parent)
+    assert run("grasp-validate", grasp, "--out", tmp_path / "v.json") == 1
+    assert says(capsys.readouterr().err, "--object")
+    original = ASSETS / "ellipsoid" / "ellipsoid.xml"
+    assert run("grasp-validate", grasp, "--object", original, "--out", tmp_path / "v.json", "-q") == 0
+
+
+def test_an_edited_truncated_or_newer_grasp_file_is_refused(
+    golden_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = golden_file.read_text()
+    for content, message in (
+        (text[: len(text) // 2], "truncated"),
+        (text.replace('"format_version": 1', '"format_version": 2'), "format version 2"),
+        (text.replace('"rho": 0.669', '"rho": 0.649'), "rho does not agree"),
+        ("{}", "not a grasp file"),
+    ):
+        golden_file.write_text(content)
+        for command in ("grasp-verify", "grasp-validate"):
+            assert run(command, golden_file) == 1
+            assert says(capsys.readouterr().err, f"^error: .*{message}")
+    assert run("grasp-validate", tmp_path / "nowhere.grasp.json") == 1
+    assert says(capsys.readouterr().err, "nowhere.grasp.json")
+
+
+def test_the_proof_of_the_golden_case_takes_seconds_not_minutes(tmp_path: Path) -> None:
+    """No benchmark: a hundred times the measured time, against a search that has lost its pruning."""
+    began = time.perf_counter()
+    assert plan_prism(tmp_path / "x.grasp.json", "-q") == 0
+    assert time.perf_counter() - began < 100
