@@ -53,7 +53,9 @@ def set_up(
     friction: np.ndarray,
     protocol: ValidationProtocol,
 ) -> Experiment:
-    """Compose and compile the scene and check where the fingertips are.
+    """Compose and compile the scene with the largest fingertips that touch only where planned.
+
+    If even the smallest do not, the static check says which.
 
     Args:
         rigid_object: What the fingers hold.
@@ -69,8 +71,11 @@ def set_up(
     """
     units = similarity(contacts, reference_point, rho, protocol.reach)
     simulated = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
-    scene = build_scene(rigid_object.parts, simulated, units, protocol)
-    static = check_touch(scene, rigid_object.size, units.length, protocol)
+    for tip_radius in protocol.tip_radii:
+        scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius)
+        static = check_touch(scene, rigid_object.size, units.length, protocol)
+        if not static.reasons():
+            break
     return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
 
 

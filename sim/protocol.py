@@ -20,8 +20,11 @@ class ValidationProtocol:
     reach: float = 0.05
     """Distance of the farthest contact from the reference point [m]."""
 
-    tip_radius: float = 0.04
-    """Radius of a fingertip, relative to the reach; measured equal up to 0.4."""
+    tip_radii: tuple[float, ...] = (0.04, 0.01, 0.0025)
+    """Radii of the fingertips, relative to the reach: the first that touches nothing but what was planned is taken.
+
+    A tip in a corner narrower than itself touches both walls. Measured equal from 0.0025 to 0.4.
+    """
 
     tip_mass: float = 0.01
     """Mass of a fingertip [kg]; measured equal from 0.003 to 0.03."""

@@ -56,7 +56,11 @@ class Scene:
 
 
 def build_scene(
-    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol
+    parts: Sequence[ConvexPart],
+    contacts: Contacts,
+    similarity: Similarity,
+    protocol: ValidationProtocol,
+    tip_radius: float,
 ) -> Scene:
     """Compose and compile the scene.
 
@@ -65,12 +69,14 @@ def build_scene(
         contacts: The grasp in the body frame, SI, with the friction to simulate.
         similarity: Map to the units of the experiment.
         protocol: Settings.
+        tip_radius: Radius of the fingertips, relative to the reach.
 
     Raises:
         SimulationError: When MuJoCo cannot compile the scene.
     """
     touching = similarity.contacts(contacts)
-    root = _compose(parts, touching, similarity, protocol)
+    radius = tip_radius * protocol.reach
+    root = _compose(parts, touching, similarity, protocol, radius)
     try:
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
@@ -81,12 +87,12 @@ def build_scene(
         object_body=model.body(OBJECT).id,
         object_geoms=np.array([model.geom(_part_name(part)).id for part in range(len(parts))]),
         tip_geoms=np.array([model.geom(_tip_name(finger)).id for finger in range(len(contacts))]),
-        tip_radius=protocol.tip_radius * protocol.reach,
+        tip_radius=radius,
     )
 
 
 def _compose(
-    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol
+    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol, radius: float
 ) -> mjcf.RootElement:
     root = mjcf.RootElement(model="validation")
     _set_options(root, protocol)
@@ -96,7 +102,7 @@ def _compose(
     body.add("inertial", pos=np.zeros(3), mass=protocol.object_mass, diaginertia=np.full(3, inertia))
     geoms = [add_part(body, _part_name(index), part, similarity) for index, part in enumerate(parts)]
     for finger in range(len(contacts)):
-        _add_finger(root, geoms, contacts, finger, protocol)
+        _add_finger(root, geoms, contacts, finger, protocol, radius)
     return root
 
 
@@ -118,10 +124,14 @@ def _set_options(root: mjcf.RootElement, protocol: ValidationProtocol) -> None:
 
 
 def _add_finger(
-    root: mjcf.RootElement, geoms: Sequence[mjcf.Element], contacts: Contacts, finger: int, protocol: ValidationProtocol
+    root: mjcf.RootElement,
+    geoms: Sequence[mjcf.Element],
+    contacts: Contacts,
+    finger: int,
+    protocol: ValidationProtocol,
+    radius: float,
 ) -> None:
     """A sphere that slides but does not turn, touching at its contact, and collides with the object only."""
-    radius = protocol.tip_radius * protocol.reach
     body = root.worldbody.add("body", pos=contacts.points[finger] - radius * contacts.normals[finger])
     for axis in np.eye(3):
         body.add("joint", type="slide", axis=axis)

@@ -23,6 +23,9 @@ class StaticCheck:
     touches: np.ndarray
     """Number of parts each fingertip touches or will touch under load, shape (contacts,)."""
 
+    tip_radius: float
+    """Radius of the fingertips [m]."""
+
     tolerance: float
     """Largest |distance| of a fingertip that touches [m]."""
 
@@ -33,13 +36,13 @@ class StaticCheck:
             if abs(distance) > self.tolerance:
                 where = "inside" if distance < 0 else "off"
                 sentences.append(
-                    f"fingertip {finger} is {abs(distance):.2g} m {where} the collision surface (allowed "
-                    f"{self.tolerance:.1g} m): the contact was not planned on what MuJoCo collides"
+                    f"fingertip {finger} is {abs(distance):.2g} m {where} the collision surface "
+                    f"(allowed {self.tolerance:.1g} m): not planned on what MuJoCo collides, or a wall is too near"
                 )
             elif touches > 1:
                 sentences.append(
-                    f"fingertip {finger} touches {touches} parts of the object at once: "
-                    "a smaller tip or another contact is needed"
+                    f"fingertip {finger} touches {touches} parts of the object at once even with a radius of "
+                    f"{self.tip_radius:.2g} m: choose another contact"
                 )
         return tuple(sentences)
 
@@ -66,5 +69,6 @@ def check_touch(scene: Scene, size: float, length: float, protocol: ValidationPr
     return StaticCheck(
         distances=distances.min(axis=1) / length,
         touches=(distances < protocol.clearance * protocol.reach).sum(axis=1),
+        tip_radius=scene.tip_radius / length,
         tolerance=float(protocol.touch_tolerance * size),
     )

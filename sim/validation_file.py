@@ -65,6 +65,8 @@ class StaticRecord(msgspec.Struct, frozen=True, kw_only=True):
     """Signed distance of each fingertip to the object [m]."""
     touches: tuple[int, ...]
     """Number of the object's geoms each fingertip touches."""
+    tip_radius: float
+    """Radius of the fingertips [m]."""
     tolerance: float
     """Largest |distance| of a fingertip that touches [m]."""
 
@@ -115,6 +117,7 @@ def to_document(validation: Validation, *, grasp: str | None = None) -> Validati
         static=StaticRecord(
             distances=tuple(static.distances.tolist()),
             touches=tuple(static.touches.tolist()),
+            tip_radius=static.tip_radius,
             tolerance=static.tolerance,
         ),
         vertices=_records(vertices, range(len(validation.phi)), validation) if vertices else (),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from planner.commands import plan, verify
+from planner.commands import convert, plan, verify
 from sim.commands import validate
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -18,6 +18,7 @@ MAINS: dict[str, Callable[[], None]] = {
     "grasp-plan": plan.main,
     "grasp-verify": verify.main,
     "grasp-validate": validate.main,
+    "grasp-convert": convert.main,
 }
 
 

@@ -91,7 +91,9 @@ def test_at_a_time_limit_the_best_grasp_and_its_true_gap_are_written(tmp_path: P
     assert json.loads(grasp.read_text())["status"] == "time_limit"
 
 
-BOX = '<mujoco><worldbody><body name="a"><freejoint/><geom type="box" size=".01 .02 .03" {}/></body>{}</worldbody></mujoco>'
+WORLD = "<mujoco><worldbody>{}</worldbody></mujoco>"
+BOX = '<body name="a"><freejoint/><geom type="box" size=".01 .02 .03" {}/></body>'
+BALL = '<body name="b" pos="1 0 0"><freejoint/><geom size=".01"/></body>'
 MESH = (
     '<mujoco><asset><mesh name="m" {}/></asset><worldbody><body><freejoint/><geom type="mesh" mesh="m"/></body>'
     "</worldbody></mujoco>"
@@ -112,9 +114,9 @@ def test_bad_objects_are_refused_with_a_reason(tmp_path: Path, capsys: pytest.Ca
         ("no_mesh.xml", MESH.format('file="nowhere.stl"'), "nowhere.stl"),
         ("flat.xml", MESH.format(flat), "flat|volume|coplanar|degenerate|qhull"),
         ("nan.xml", MESH.format(nan), "nan"),
-        ("plane.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>', "body|collide"),
-        ("ghost.xml", BOX.format('contype="0" conaffinity="0"', ""), "collide"),
-        ("two.xml", BOX.format("", '<body name="b" pos="1 0 0"><freejoint/><geom size=".01"/></body>'), "--body"),
+        ("plane.xml", WORLD.format('<geom type="plane" size="1 1 1"/>'), "body|collide"),
+        ("ghost.xml", WORLD.format(BOX.format('contype="0" conaffinity="0"')), "collide"),
+        ("two.xml", WORLD.format(BOX.format("") + BALL), "--body"),
     ):
         path = tmp_path / name if text is None else write(tmp_path / name, text)
         assert run("grasp-plan", path, "--out", tmp_path / "x.grasp.json") == 1, name

@@ -7,12 +7,16 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.exit_codes import EXIT_CODES, ExitCode, run
+from planner.commands.terminal import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Where should the fingers go, and how strong must they be?"""
+    """Where should the fingers go, and how strong must they be?
+
+    Chooses the contacts on an MJCF object that resist a task with the smallest fingertip force rho, proves that no
+    other choice needs less, and writes a grasp file.
+    """
 
     object: tyro.conf.Positional[Path]
     """MJCF file of the object; what MuJoCo collides is what is planned on."""
@@ -24,13 +28,13 @@ class Options:
     """Coulomb coefficient of every contact; by default each geom's own."""
 
     task: str = "gravity"
-    """What the grasp must resist: the preset `paper` (weight as a force box, moments of a shifted centre of mass),
-    `gravity` (the weight in any direction, the centre of mass somewhere near) or `axes6` (six pushes of 10 N per
-    kg), or a TOML file."""
+    """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
+    is the weight as a force box and the moments of a shifted centre of mass; "axes6" is six pushes of 10 N per kg;
+    anything else is a TOML file."""
 
     candidates: str = "300"
-    """Where fingers may go: a number of evenly spread points, `grid:SPACING` (cell centres on every flat facet, in
-    metres), `case3` (the paper's 217 points on the prism), or a CSV file of points x,y,z."""
+    """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
+    facet; "case3" for the paper's 217 points on the prism; anything else is a CSV file of points x,y,z."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -81,5 +85,5 @@ def plan_command(options: Options) -> ExitCode:
 
 def main() -> None:
     """Entry point of `grasp-plan`."""
-    options = tyro.cli(Options, prog="grasp-plan", description=f"{Options.__doc__} {EXIT_CODES}")
+    options = parse(Options, "grasp-plan")
     run(lambda: plan_command(options))

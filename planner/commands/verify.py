@@ -5,7 +5,7 @@ from pathlib import Path
 
 import tyro
 
-from planner.commands.exit_codes import EXIT_CODES, ExitCode, run
+from planner.commands.terminal import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,5 +29,5 @@ def verify_command(options: Options) -> ExitCode:
 
 def main() -> None:
     """Entry point of `grasp-verify`."""
-    options = tyro.cli(Options, prog="grasp-verify", description=f"{Options.__doc__} {EXIT_CODES}")
+    options = parse(Options, "grasp-verify")
     run(lambda: verify_command(options))

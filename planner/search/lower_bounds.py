@@ -10,7 +10,7 @@ import numpy as np
 
 from planner.contacts import grasp_maps
 from planner.forces.minimax import MinimaxForces
-from planner.forces.relaxation import RelaxedForces, cone_edges
+from planner.forces.relaxation import RelaxedForces, cone_edges, edge_columns
 from planner.search.problem import SearchProblem
 
 Bound = Literal["relaxation", "subproblem 2"]
@@ -32,8 +32,9 @@ class LowerBounds:
         """
         self._problem, self._bound, self._sides = problem, bound, sides
         contacts = problem.contacts
-        self._maps = grasp_maps(contacts.points, problem.reference_point)
-        self._edges = cone_edges(contacts.normals, contacts.friction, sides)
+        maps = grasp_maps(contacts.points, problem.reference_point)
+        edges = cone_edges(contacts.normals, contacts.friction, sides)
+        self._columns = edge_columns(maps, edges, problem.length)
         self._thread = threading.local()
 
     def solve(self, subsets: np.ndarray, vertex: int) -> np.ndarray:
@@ -58,11 +59,11 @@ class LowerBounds:
 
     def _solver(self) -> Callable[[np.ndarray, np.ndarray], float]:
         """phi of one combination and one wrench; each thread has its own."""
-        problem, maps, edges = self._problem, self._maps, self._edges
+        problem, columns = self._problem, self._columns
         shape = problem.fingers, problem.contacts.dimension
         if self._bound == "relaxation":
             relaxed = RelaxedForces(*shape, self._sides)
-            return lambda subset, wrench: relaxed.solve_arrays(maps[subset], edges[subset], wrench, problem.length)
+            return lambda subset, wrench: relaxed.solve_columns(columns[subset], wrench, problem.length)
         exact = MinimaxForces(*shape)
         friction = problem.contacts.friction
         return lambda subset, wrench: exact.solve_arrays(

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.exit_codes import EXIT_CODES, ExitCode, run
+from planner.commands.terminal import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,5 +63,5 @@ def validate_command(options: Options) -> ExitCode:
 
 def main() -> None:
     """Entry point of `grasp-validate`."""
-    options = tyro.cli(Options, prog="grasp-validate", description=f"{Options.__doc__}\n\n{EXIT_CODES}")
+    options = parse(Options, "grasp-validate")
     run(lambda: validate_command(options))

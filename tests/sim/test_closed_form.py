@@ -19,7 +19,7 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray) -> Measurement:
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
     units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
-    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE)
+    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE, ACTIVE.tip_radii[0])
     down = np.zeros((len(weights), 6))
     down[:, 2] = -weights
     press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)

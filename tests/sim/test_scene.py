@@ -83,7 +83,7 @@ def scene_of(rigid_object: RigidObject) -> tuple[Scene, Similarity]:
     points = rigid_object.center_of_mass + rigid_object.size * np.array([(-3.0, 0, 0), (3.0, 0, 0)])
     contacts = Contacts(points=points, normals=np.array([(1.0, 0, 0), (-1.0, 0, 0)]), friction=np.full(2, 0.5))
     units = similarity(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
-    return build_scene(rigid_object.parts, contacts, units, ACTIVE), units
+    return build_scene(rigid_object.parts, contacts, units, ACTIVE, ACTIVE.tip_radii[0]), units
 
 
 def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:

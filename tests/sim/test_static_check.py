@@ -5,12 +5,15 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart
+from sim.protocol import ACTIVE
 from sim.validate import Validation, validate
 from tests.sim.planned import box, prism, rigid_object
 
 BASE = box((0.04, 0.02, 0.004))
 UPRIGHT = box((0.004, 0.02, 0.03), position=(-0.036, 0, 0.034))
-"""Together an L: the corner between its inner faces is the line x = -0.032, z = 0.004."""
+"""Together an L: the corner between its inner faces is the line x = CORNER, z = 0.004."""
+CORNER = -0.032
+LARGEST_TIP, SMALLEST_TIP = 0.004 * max(ACTIVE.tip_radii), 0.004 * min(ACTIVE.tip_radii)
 
 
 def held_at(top_x: float, *parts: ConvexPart) -> Validation:
@@ -28,16 +31,21 @@ def test_a_pinch_away_from_the_corner_is_confirmed() -> None:
     assert (validation.static.touches == 1).all()
 
 
+def test_near_the_other_wall_of_a_corner_a_smaller_fingertip_is_taken() -> None:
+    validation = held_at(CORNER + 1e-4, BASE, UPRIGHT)
+    assert validation.verdict, validation.reasons
+    assert validation.static.tip_radius < 1e-4 < LARGEST_TIP
+
+
 def test_a_fingertip_that_reaches_into_the_other_wall_of_a_corner_is_caught() -> None:
-    validation = held_at(-0.0319, BASE, UPRIGHT)
+    validation = held_at(CORNER + 0.5 * SMALLEST_TIP, BASE, UPRIGHT)
     assert not validation.verdict
     assert validation.reasons[0].startswith("fingertip 0")
     assert validation.vertices is None
 
 
 def test_a_fingertip_that_just_touches_the_other_wall_is_caught() -> None:
-    radius = 0.04 * 0.004
-    validation = held_at(-0.032 + radius * 1.0001, BASE, UPRIGHT)
+    validation = held_at(CORNER + 1.0001 * SMALLEST_TIP, BASE, UPRIGHT)
     assert not validation.verdict
     assert "fingertip 0 touches 2 parts" in validation.reasons[0]
     assert len(validation.reasons) == 1

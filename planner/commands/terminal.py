@@ -1,9 +1,13 @@
-"""What every command's exit code means, and the one place where errors meet the terminal."""
+"""What all commands share: reading the command line, exit codes, and the place where errors meet the terminal."""
 
+import inspect
 import logging
 import sys
 from collections.abc import Callable
 from enum import IntEnum
+from typing import TypeVar
+
+import tyro
 
 from planner.errors import RhograspError
 
@@ -25,22 +29,18 @@ class ExitCode(IntEnum):
     """The verdict is fail."""
 
 
-EXIT_CODES = "exit codes: " + " · ".join(
-    f"{code.value} {meaning}"
-    for code, meaning in zip(
-        ExitCode,
-        (
-            "done and proven, or verdict pass",
-            "error in the input or environment",
-            "usage",
-            "proven infeasible",
-            "stopped at a limit, gap open",
-            "verdict fail",
-        ),
-        strict=True,
-    )
+EXIT_CODES = (
+    "exit codes: 0 done and proven, or verdict pass · 1 error in the input or environment · 2 usage · "
+    "3 proven infeasible · 4 stopped at a limit, gap open · 5 verdict fail"
 )
 """One line for every command's help."""
+
+Options = TypeVar("Options")
+
+
+def parse(options: type[Options], program: str) -> Options:
+    """The command line as a dataclass; its docstring and the exit codes are the help's first lines."""
+    return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
 
 
 def run(command: Callable[[], ExitCode]) -> None:
