@@ -47,8 +47,8 @@ class Certificate:
 class Grasp:
     """The best grasp found, its forces, its proven bound and where it came from."""
 
-    mjcf: Path
-    """The object's MJCF file."""
+    file: Path
+    """The file of the object: MJCF, or a planar outline."""
 
     sha256: str
     """Digest of the object's files."""

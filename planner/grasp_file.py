@@ -48,7 +48,7 @@ class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
     """The object the grasp is for."""
 
     mjcf: str
-    """Path of the MJCF file, relative to the grasp file's folder where possible."""
+    """Path of the object's file (MJCF, or a planar outline), relative to the grasp file's folder where possible."""
     sha256: str
     body: str
     mass: float
@@ -174,7 +174,7 @@ def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
         format=FORMAT,
         format_version=FORMAT_VERSION,
         object=ObjectRecord(
-            mjcf=_relative(grasp.mjcf, path.parent), sha256=grasp.sha256, body=grasp.body, mass=grasp.mass
+            mjcf=_relative(grasp.file, path.parent), sha256=grasp.sha256, body=grasp.body, mass=grasp.mass
         ),
         task=TaskRecord(
             name=grasp.task.name,
@@ -264,7 +264,7 @@ def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -
     candidates = Contacts(points=arrays["positions"], normals=arrays["normals"], friction=arrays["friction"])
     shape = (len(contacts), candidates.dimension)
     return Grasp(
-        mjcf=path.parent / document.object.mjcf,
+        file=path.parent / document.object.mjcf,
         sha256=document.object.sha256,
         body=document.object.body,
         mass=document.object.mass,

@@ -57,7 +57,7 @@ def _grasp(
     dimension = problem.contacts.dimension
     chosen = best.subset if best else np.empty(0, dtype=np.int64)
     return Grasp(
-        mjcf=rigid_object.mjcf,
+        file=rigid_object.file,
         sha256=rigid_object.sha256,
         body=rigid_object.body,
         mass=rigid_object.mass,

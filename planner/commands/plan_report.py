@@ -25,7 +25,7 @@ class Report:
         friction = candidates.contacts.friction
         spread = f"{friction.min():g}" if friction.min() == friction.max() else f"{friction.min():g}–{friction.max():g}"
         self._say(
-            f"object      {rigid_object.mjcf}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
+            f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
         )
         self._say(f"task        {task.name}: {len(task.wrenches)} wrenches")
         self._say(f"candidates  {len(candidates.contacts)}, friction {spread}; {fingers} fingers")

@@ -55,7 +55,7 @@ class ConvexPart(Protocol):
 class RigidObject:
     """One rigid object: what the planner plans on and the simulator collides with."""
 
-    mjcf: Path
+    file: Path
     """The MJCF file it was read from."""
 
     sha256: str

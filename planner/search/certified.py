@@ -1,10 +1,11 @@
 """The certified search: branch and bound on the cut table, with cuts made where they are needed.
 
     pop rows of tree nodes, split them, bound the children by min_k sum_j U[C_j, k];
-    prune a child when its bound is at most (1 + gap) / rho of the incumbent;
+    prune a child when its bound is at most 1 / level, with level = rho / (1 + gap) of the incumbent;
     evaluate a child that is a single subset: either a new cut prunes it, or it is the new incumbent.
 
-When no row is open, no subset beats rho / (1 + gap), and the cuts that pruned are the proof.
+When no row is open, no subset beats the level, and the cuts that pruned are the proof. With another level (see
+`planner.search.incumbents`) the same search returns the k best grasps, or all within a tolerance, proven complete.
 """
 
 import logging
@@ -17,9 +18,10 @@ import numpy as np
 from planner.errors import SettingError
 from planner.search.closure import impossible_direction
 from planner.search.cuts import CutTable
-from planner.search.evaluation import Evaluation, Evaluator
+from planner.search.evaluation import Evaluator
 from planner.search.frontier import Frontier, split
-from planner.search.local_search import STARTS, add_vertex_cuts, beat, improve
+from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
+from planner.search.local_search import STARTS, add_vertex_cuts, evaluate_below, improve
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult, Status, relative_gap
@@ -30,9 +32,6 @@ logger = logging.getLogger(__name__)
 
 BATCH = 512
 """Rows split together."""
-
-SOLVER_ACCURACY = 1e-6
-"""Relative accuracy of rho that the inner solver guarantees: no smaller gap can be asked of the proof."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,6 +48,12 @@ class CertifiedSearch:
     time_limit: float = np.inf
     """Seconds after which the search stops with the gap it has."""
 
+    keep: int = 1
+    """How many grasps to return: the k best, or with `within` at most so many."""
+
+    within: float | None = None
+    """Return all grasps whose rho exceeds the best by at most this, relatively: ties and near-ties, none missing."""
+
     seed: int = 0
     """Seed of the starts of the local search; the proof does not depend on it."""
 
@@ -59,6 +64,10 @@ class CertifiedSearch:
             raise SettingError(f"the time limit is {self.time_limit} s; it must be 0 or more")
         if self.seed < 0:
             raise SettingError(f"the seed is {self.seed}; it must be 0 or more")
+        if self.keep < 1:
+            raise SettingError(f"{self.keep} grasps are asked for; ask for at least 1")
+        if self.within is not None and not 0 <= self.within < np.inf:
+            raise SettingError(f"the tolerance is {self.within}; it must be 0 or more, for example 0.01")
 
     def run(self, problem: SearchProblem, observe: Callable[[Progress], None] = lambda _: None) -> SearchResult:
         """Search until the gap is proven, time is up, or the user interrupts.
@@ -87,17 +96,15 @@ class _Run:
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
         self.frontier.push(np.zeros((1, problem.fingers), dtype=np.int64), np.array([np.inf]))
-        self.incumbent: Evaluation | None = None
+        self.incumbents = Incumbents(problem.force_ceiling, method.gap, method.keep, method.within)
         self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
         self.nodes = 0
         self.trace: list[Progress] = []
 
     @property
     def threshold(self) -> float:
-        """Rows bounded by this hold nothing better than the incumbent by more than the gap [1/N]."""
-        if self.incumbent is None:
-            return 1 / self.problem.force_ceiling
-        return (1 + self.method.gap) / self.incumbent.rho
+        """Rows bounded by this hold nothing that is wanted [1/N]."""
+        return 1 / self.incumbents.level
 
     @property
     def out_of_time(self) -> bool:
@@ -108,7 +115,7 @@ class _Run:
         if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
             return self.search_pairs()
         self.start_incumbent()
-        if self.incumbent is None and self.impossible_at_once():
+        if self.incumbents.best is None and self.impossible_at_once():
             return Status.INFEASIBLE
         self.log()
         while len(self.frontier):
@@ -137,9 +144,9 @@ class _Run:
 
     def proven_status(self) -> Status:
         """What the bounds of everything pruned amount to, once nothing is open."""
-        if self.incumbent is None:
+        if self.incumbents.best is None:
             return Status.INFEASIBLE if self.pruned_bound <= self.threshold else Status.UNRESOLVED
-        gap = relative_gap(self.incumbent.rho, self.lower_bound())
+        gap = relative_gap(self.incumbents.rho, self.lower_bound())
         return Status.OPTIMAL if gap <= max(self.method.gap, SOLVER_ACCURACY) else Status.UNRESOLVED
 
     def start_incumbent(self) -> None:
@@ -149,7 +156,7 @@ class _Run:
             if self.out_of_time:
                 return
             start = generator.choice(len(self.problem.contacts), size=self.problem.fingers, replace=False)
-            self.incumbent = improve(self.evaluator, self.cuts, start, self.incumbent)
+            improve(self.evaluator, self.cuts, start, self.incumbents)
 
     def impossible_at_once(self) -> bool:
         """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
@@ -187,11 +194,11 @@ class _Run:
         return open_
 
     def evaluate(self, subset: np.ndarray) -> None:
-        """Decide a single subset: pruned by a cut, or evaluated, perhaps as the new incumbent."""
-        if self.cuts.bound(subset)[0] > self.threshold:
-            rho = self.incumbent.rho if self.incumbent else self.problem.force_ceiling
-            better = beat(self.evaluator, self.cuts, subset, rho, self.method.gap)
-            self.incumbent = better or self.incumbent
+        """Decide a single subset: pruned by a cut, or evaluated and offered to the incumbents."""
+        if self.cuts.bound(subset)[0] > self.threshold and subset not in self.incumbents:
+            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level)
+            if wanted is not None:
+                self.incumbents.offer(wanted)
         bound, cut = self.cuts.bound(subset)
         self.bounds.useful.add(cut)
         self.pruned_bound = max(self.pruned_bound, bound)
@@ -199,8 +206,8 @@ class _Run:
     def lower_bound(self) -> float:
         """No subset has a smaller rho [N]; claims beyond the force ceiling are not made."""
         weakest = max(self.pruned_bound, self.frontier.weakest_bound)
-        if self.incumbent is not None:
-            weakest = max(weakest, self.cuts.bound(self.incumbent.subset)[0])
+        if self.incumbents.best is not None:
+            weakest = max(weakest, self.cuts.bound(self.incumbents.best.subset)[0])
         ceiling = self.problem.force_ceiling
         return min(1 / weakest, ceiling) if weakest > 0 else ceiling
 
@@ -210,7 +217,7 @@ class _Run:
             nodes=self.nodes,
             open=len(self.frontier),
             lower_bound=self.lower_bound(),
-            incumbent=self.incumbent.rho if self.incumbent else np.inf,
+            incumbent=self.incumbents.rho,
             socp_solves=self.evaluator.solves,
             cuts=len(self.cuts),
         )
@@ -225,14 +232,13 @@ class _Run:
             bounds = self.bounds.bound(rows, self.threshold)
             open_ = self.drop(bounds)
             self.frontier.push(rows[open_], bounds[open_])
-        if self.incumbent is not None:
-            self.bounds.useful.add(self.cuts.bound(self.incumbent.subset)[1])
+        self.bounds.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
         self.log()
         return SearchResult(
             problem=self.problem,
             method="certified",
             status=status,
-            incumbent=self.incumbent,
+            grasps=self.incumbents.grasps,
             lower_bound=self.lower_bound(),
             directions=self.cuts.directions[sorted(self.bounds.useful)],
             trace=tuple(self.trace),

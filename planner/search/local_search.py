@@ -9,6 +9,7 @@ import numpy as np
 
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluation, Evaluator
+from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
 
 STARTS = 2
 """Independent climbs; the search tree repairs what they miss."""
@@ -59,22 +60,20 @@ def climb(values: np.ndarray, subset: np.ndarray) -> np.ndarray:
     return np.sort(subset)
 
 
-def improve(
-    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbent: Evaluation | None
-) -> Evaluation | None:
-    """Climb from a subset until the table cannot beat the incumbent nearby; returns the best grasp found."""
-    ceiling = evaluator.problem.force_ceiling
+def improve(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbents: Incumbents) -> None:
+    """Climb from a subset until the table cannot beat the best grasp nearby; better ones are offered on the way."""
     for _ in range(MOST_STEPS):
         subset = climb(cuts.values, subset)
-        rho = incumbent.rho if incumbent else ceiling
-        if cuts.bound(subset)[0] <= (1 + 1e-6) / rho:
+        level = min(incumbents.rho, evaluator.problem.force_ceiling)
+        if cuts.bound(subset)[0] <= (1 + SOLVER_ACCURACY) / level:
             break
-        if not sharpen(evaluator, cuts, subset):
-            better = beat(evaluator, cuts, subset, rho)
-            if better is None and cuts.bound(subset)[0] > (1 + 1e-6) / rho:
-                break  # no better, and the solver cannot prove it: climbing again would come back here
-            incumbent = better or incumbent
-    return incumbent
+        if sharpen(evaluator, cuts, subset):
+            continue
+        better = evaluate_below(evaluator, cuts, subset, level)
+        if better is not None:
+            incumbents.offer(better)
+        elif cuts.bound(subset)[0] > (1 + SOLVER_ACCURACY) / level:
+            break  # no better, and the solver cannot prove it: climbing again would come back here
 
 
 def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
@@ -87,14 +86,14 @@ def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
     return False
 
 
-def beat(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, rho: float, gap: float = 0.0) -> Evaluation | None:
-    """Evaluate a subset only as far as needed to know whether its rho is below `rho`.
+def evaluate_below(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, level: float) -> Evaluation | None:
+    """Evaluate a subset only as far as needed to know whether its rho is below `level`.
 
     Every solved vertex that sharpens the subset's bound leaves its cut in the table. The evaluation stops as soon as
-    the cuts prove rho_N >= rho / (1 + gap); then the answer is "not better", never the value of one vertex.
+    the cuts, or a vertex, show rho_N >= level; then the answer is "not better", never the value of one vertex.
 
     Returns:
-        The full evaluation if rho_N < rho, else None.
+        The full evaluation if rho_N < level, else None.
     """
     bound = cuts.bound(subset)[0]
     solutions = {}
@@ -103,7 +102,7 @@ def beat(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, rho: float, g
         _, phi, direction = solutions[vertex]
         if add_if_sharper(cuts, subset, direction, bound * (1 - 1e-9)):
             bound = cuts.bound(subset)[0]
-        if bound <= (1 + gap) / rho or phi >= rho:
+        if bound <= 1 / level or phi >= level * (1 + SOLVER_ACCURACY):
             return None
     return evaluator.collect(subset, [solutions[vertex] for vertex in sorted(solutions)])
 

@@ -172,7 +172,7 @@ class _Run:
             problem=self.problem,
             method=f"paper, bounded by the {self.method.bound}",
             status=Status.OPTIMAL if self.best else Status.INFEASIBLE,
-            incumbent=self.best,
+            grasps=(self.best,) if self.best else (),
             lower_bound=self.trace[-1].lower_bound,
             directions=np.empty((0, self.problem.wrenches.shape[1])),
             trace=tuple(self.trace),

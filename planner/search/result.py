@@ -21,6 +21,9 @@ class Status(StrEnum):
     UNRESOLVED = "unresolved"
     """Everything was examined, but the solver's accuracy left a subset whose bound is weaker than asked."""
 
+    HEURISTIC = "heuristic"
+    """The best of a search that leaves candidates out; nothing is proven about those."""
+
     TIME_LIMIT = "time_limit"
     """Out of time; the bound and the gap are true, and open."""
 
@@ -59,8 +62,8 @@ class SearchResult:
 
     status: Status
 
-    incumbent: Evaluation | None
-    """Best grasp found, if any."""
+    grasps: tuple[Evaluation, ...]
+    """Grasps found and asked for, best first; empty if none was found."""
 
     lower_bound: float
     """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling."""
@@ -70,6 +73,11 @@ class SearchResult:
 
     trace: tuple[Progress, ...]
     """The search log, oldest first; the last line is the end state."""
+
+    @property
+    def incumbent(self) -> Evaluation | None:
+        """The best grasp found, if any."""
+        return self.grasps[0] if self.grasps else None
 
     @property
     def rho(self) -> float:

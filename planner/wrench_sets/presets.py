@@ -102,7 +102,7 @@ def weight(object: RigidObject) -> float:
     """
     if not (np.isfinite(object.mass) and object.mass > 0):
         raise TaskError(
-            f"the object has no mass: {object.mass} kg in {object.mjcf}; give it one, or choose a task file "
+            f"the object has no mass: {object.mass} kg in {object.file}; give it one, or choose a task file "
             "whose set states its forces itself"
         )
     return float(object.mass * GRAVITY)

@@ -21,7 +21,7 @@ def test_everything_survives_the_file(golden_grasp: Grasp, golden_file: Path) ->
     np.testing.assert_array_equal(grasp.contacts.points, golden_grasp.contacts.points)
     np.testing.assert_array_equal(grasp.certificate.cuts, golden_grasp.certificate.cuts)
     np.testing.assert_array_equal(grasp.certificate.candidates.normals, golden_grasp.certificate.candidates.normals)
-    assert grasp.mjcf.resolve() == golden_grasp.mjcf.resolve()
+    assert grasp.file.resolve() == golden_grasp.file.resolve()
     for name in ("sha256", "body", "mass", "geoms", "rho", "lower_bound", "gap", "status", "critical_wrench", "search"):
         assert getattr(grasp, name) == getattr(golden_grasp, name), name
 

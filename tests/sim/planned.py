@@ -61,7 +61,7 @@ def rigid_object(*parts: ConvexPart) -> RigidObject:
     """An object of these parts; its mass plays no role in a validation."""
     corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in parts])
     return RigidObject(
-        mjcf=Path("object.xml"),
+        file=Path("object.xml"),
         sha256="0" * 64,
         body="object",
         parts=parts,

@@ -66,7 +66,7 @@ def gap(scene: Scene, center: np.ndarray) -> float:
 
 def original_gap(rigid_object: RigidObject, center: np.ndarray, radius: float) -> float:
     """The same with a sphere added to the object's own file."""
-    spec = mujoco.MjSpec.from_file(str(rigid_object.mjcf))
+    spec = mujoco.MjSpec.from_file(str(rigid_object.file))
     body = spec.body(rigid_object.body)
     body.add_geom(name="probe", type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0], pos=center, mass=1e-3)
     model = spec.compile()
@@ -100,7 +100,7 @@ def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:
 
 def original_distances(rigid_object: RigidObject, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
     """Distances in the model compiled from the object's own file, visual geoms and planes left out."""
-    model = mujoco.MjModel.from_xml_path(str(rigid_object.mjcf))
+    model = mujoco.MjModel.from_xml_path(str(rigid_object.file))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     named = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, rigid_object.body)

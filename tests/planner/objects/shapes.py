@@ -42,7 +42,7 @@ def rigid_object(*parts: ConvexPart) -> RigidObject:
     """An object of these parts; its mass properties mean nothing."""
     corners = np.concatenate([part.bounds() for part in parts])
     return RigidObject(
-        mjcf=Path("made.xml"),
+        file=Path("made.xml"),
         sha256="",
         body="made",
         parts=parts,

@@ -10,7 +10,7 @@ from planner.objects.rigid_object import RigidObject
 def brick(mass: float = 0.5) -> RigidObject:
     """Mass and extent, which is all that most presets ask for."""
     return RigidObject(
-        mjcf=Path("brick.xml"),
+        file=Path("brick.xml"),
         sha256="",
         body="brick",
         parts=(),
