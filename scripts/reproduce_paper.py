@@ -1,0 +1,212 @@
+"""The paper's numerical section, reproduced in one run: tables and figures in a folder.
+
+    python scripts/reproduce_paper.py --out paper            # about an hour on two cores
+    python scripts/reproduce_paper.py --out paper --quick    # a minute, on reduced candidates
+
+Case III is the paper's own. The outlines of Cases I and II appear only in its figures, so the planar cases here are
+ours, of the same size (56 and 86 candidates) under the same rules; their numbers are not the paper's.
+"""
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from planner.atomic_write import require_writable, write_atomically
+from planner.candidates.choice import make_candidates
+from planner.commands.terminal import ExitCode, parse, run
+from planner.contacts import Contacts
+from planner.exports.figures import draw_outline, new_figure, object_figure, save_figure
+from planner.objects.object_file import read_object_file
+from planner.objects.planar_object import PlanarObject
+from planner.objects.rigid_object import RigidObject
+from planner.search.certified import CertifiedSearch
+from planner.search.evaluation import Evaluation, Evaluator
+from planner.search.paper import PaperSearch
+from planner.search.problem import SearchProblem
+from planner.search.result import Progress, SearchResult
+from planner.search.tie_break import tie_break
+from planner.task import make_task
+
+ASSETS = Path(__file__).resolve().parents[1] / "assets"
+PLANAR = {"convex": 56, "concave": 86}
+"""Our planar objects and how many candidates they get."""
+
+FRICTIONS = (0.1, 0.3, 0.5)
+FINGERS = (2, 3)
+SEARCHES = {
+    "relaxation": PaperSearch(),
+    "Subproblem 2": PaperSearch(bound="subproblem 2"),
+    "certified": CertifiedSearch(),
+}
+"""The paper's algorithm, its variant, and ours, all to a relative gap of 1e-3."""
+
+FEET = np.array([[0, -4 / 3, 0], [2 / 3, 2 / 3, 0], [-4 / 3, 0, 0]]) / 100
+"""Feet of the perpendiculars from the prism's centroid to its three sides [m]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """Reproduce the numerical section of Watanabe and Yoshikawa: tables, running times and figures."""
+
+    out: Path = Path("paper")
+    """Folder for `paper.md` and the figures; made if missing."""
+
+    quick: bool = False
+    """Reduced candidates: every table and figure in about a minute."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Case:
+    """One object with one number of fingers and one friction coefficient."""
+
+    name: str
+    target: RigidObject | PlanarObject
+    problem: SearchProblem
+
+
+def planar_case(name: str, fingers: int, friction: float, *, quick: bool) -> Case:
+    """One of our planar objects under the paper's rules."""
+    target = read_object_file(ASSETS / "planar" / f"{name}.toml")
+    count = PLANAR[name] // 3 if quick else PLANAR[name]
+    return make_case(f"{name}, {fingers} fingers", target, str(count), fingers, friction)
+
+
+def prism_case(*, quick: bool) -> Case:
+    """The paper's Case III; the quick one keeps every sixth candidate and the three optimal ones."""
+    case = make_case("Case III, 3 fingers", read_object_file(ASSETS / "prism" / "prism.xml"), "case3", 3, 0.3)
+    if not quick:
+        return case
+    contacts = case.problem.contacts
+    optimal = CertifiedSearch().run(case.problem).grasps[0].subset
+    kept = np.union1d(np.arange(0, len(contacts), 6), optimal)
+    return replace(case, problem=replace(case.problem, contacts=contacts.subset(kept)))
+
+
+def make_case(name: str, target: RigidObject | PlanarObject, candidates: str, fingers: int, friction: float) -> Case:
+    """The task is the paper's: weight in a box or disc, moment of 0.8 gamma times the weight."""
+    task = make_task("paper", target)
+    contacts = make_candidates(target, candidates, friction, seed=0).contacts
+    problem = SearchProblem(
+        contacts=contacts, fingers=fingers, reference_point=task.reference_point, wrenches=task.wrenches
+    )
+    return Case(name=name, target=target, problem=problem)
+
+
+def best_of_ties(problem: SearchProblem) -> Evaluation:
+    """The paper's optimal grasp: of all within 1e-6 of the optimum, the one that its tie-break prefers."""
+    ties = CertifiedSearch(within=1e-6, keep=200).run(problem).grasps
+    return tie_break(problem, ties)[0]
+
+
+def prism_table(problem: SearchProblem, best: Evaluation, solved: int) -> Iterator[str]:
+    """Case III beside the paper's figures."""
+    contacts = problem.contacts.subset(best.subset)
+    feet = Contacts(
+        points=FEET, normals=np.array([[0, 1, 0], [-(0.5**0.5), -(0.5**0.5), 0], [1, 0, 0]]), friction=np.full(3, 0.3)
+    )
+    at_feet = Evaluator(replace(problem, contacts=feet)).evaluate(np.arange(3)).rho
+    points = ", ".join("(" + ", ".join(f"{x:.4g}" for x in np.round(100 * point, 9)) + ")" for point in contacts.points)
+    yield "## Case III\n"
+    yield "| | paper | here |"
+    yield "|---|---|---|"
+    yield f"| rho* [N] | 0.669 | {best.rho:.5f} |"
+    yield f"| optimal points [cm] | (2/9, -4/3, 0), (2/3, 2/3, 0), (-4/3, 2/9, 0) | {points} |"
+    yield f"| rho at the feet of the perpendiculars [N] | 0.718 | {at_feet:.5f} |"
+    yield f"| combinations | 1,679,580 | {problem.subsets:,} |"
+    yield f"| of these solved exactly by the paper's algorithm | 21 | {solved} |\n"
+
+
+def planar_tables(*, quick: bool) -> Iterator[str]:
+    """rho in the layout of the paper's Table 1."""
+    yield "## Our planar cases (not the paper's: its outlines are only in its figures)\n"
+    for name, count in PLANAR.items():
+        yield f"### {name}: rho [N], {count // 3 if quick else count} candidates\n"
+        yield "| µ | " + " | ".join(map(str, FRICTIONS)) + " |"
+        yield "|---" * (1 + len(FRICTIONS)) + "|"
+        for fingers in FINGERS:
+            cases = [planar_case(name, fingers, friction, quick=quick) for friction in FRICTIONS]
+            values = [CertifiedSearch(gap=1e-4).run(case.problem).rho for case in cases]
+            yield f"| {fingers} fingers | " + " | ".join(f"{rho:.4g}" for rho in values) + " |"
+        yield ""
+
+
+def timed(case: Case) -> dict[str, SearchResult]:
+    """Every search on one case, with its log on standard error."""
+    results = {}
+    for name, search in SEARCHES.items():
+        print(f"{case.name}: {name}", file=sys.stderr)
+        results[name] = search.run(case.problem, show)
+    rho = [result.rho for result in results.values()]
+    if max(rho) > min(rho) * (1 + 1e-3):
+        raise SystemExit(f"{case.name}: the searches disagree about rho: {rho}")
+    return results
+
+
+def show(line: Progress) -> None:
+    """One line of a search log."""
+    print(
+        f"  {line.seconds:8.1f} s  open {line.open:9,}  rho {line.incumbent:.5g}  bound {line.lower_bound:.5g}",
+        file=sys.stderr,
+    )
+
+
+def time_table(results: dict[str, dict[str, SearchResult]]) -> Iterator[str]:
+    """Running times in one run, and their ratios to the certified search."""
+    yield "## Running times [s], µ = 0.3, and combinations solved exactly\n"
+    yield "| case | combinations | relaxation | solved | Subproblem 2 | solved | certified | ratios |"
+    yield "|---" * 8 + "|"
+    for name, runs in results.items():
+        relaxed, exact, ours = (runs[search].trace[-1] for search in SEARCHES)
+        yield (
+            f"| {name} | {runs['certified'].problem.subsets:,} | {relaxed.seconds:.2f} | {relaxed.nodes} | "
+            f"{exact.seconds:.2f} | {exact.nodes} | {ours.seconds:.3f} | "
+            f"{relaxed.seconds / ours.seconds:.0f}, {exact.seconds / ours.seconds:.0f} |"
+        )
+    yield ""
+
+
+def draw(out: Path, *, quick: bool) -> None:
+    """Candidates (Fig. 2) and optimal grasps (Fig. 4 and 5) of the planar objects."""
+    for name in PLANAR:
+        cases = [planar_case(name, fingers, 0.3, quick=quick) for fingers in FINGERS]
+        target = cases[0].target
+        assert isinstance(target, PlanarObject)
+        figure = new_figure(10, 4)
+        axes = figure.subplots(1, 1 + len(cases))
+        draw_outline(axes[0], target.outline.corners, cases[0].problem.contacts, None, "candidates")
+        for panel, case in zip(axes[1:], cases, strict=True):
+            best = best_of_ties(case.problem)
+            contacts = case.problem.contacts
+            title = f"{case.problem.fingers} fingers, µ = 0.3, rho = {best.rho:.3g} N"
+            draw_outline(panel, target.outline.corners, contacts, contacts.subset(best.subset), title)
+        save_figure(out / f"{name}.png", figure)
+
+
+def reproduce(options: Options) -> ExitCode:
+    """Everything, printed as it is done and saved at the end."""
+    options.out.mkdir(parents=True, exist_ok=True)
+    require_writable(options.out / "paper.md")
+    quick = options.quick
+    cases = [planar_case(name, fingers, 0.3, quick=quick) for name in PLANAR for fingers in FINGERS]
+    prism = prism_case(quick=quick)
+    results = {case.name: timed(case) for case in [*cases, prism]}
+    best = best_of_ties(prism.problem)
+    lines = ["# The paper, reproduced\n"]
+    lines += ["Quick run on reduced candidates.\n"] if quick else []
+    lines += prism_table(prism.problem, best, results[prism.name]["relaxation"].trace[-1].nodes)
+    lines += [*planar_tables(quick=quick), *time_table(results)]
+    print("\n".join(lines))
+    write_atomically(options.out / "paper.md", "\n".join(lines).encode())
+    draw(options.out, quick=quick)
+    assert isinstance(prism.target, RigidObject)
+    contacts = prism.problem.contacts
+    title = f"Case III: rho = {best.rho:.3f} N"
+    save_figure(options.out / "prism.png", object_figure(prism.target, contacts, contacts.subset(best.subset), title))
+    return ExitCode.DONE
+
+
+if __name__ == "__main__":
+    run(lambda: reproduce(parse(Options, "reproduce_paper.py")))

@@ -1,0 +1,58 @@
+"""What the README tells people to type works, and says what it says."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from planner.commands.terminal import EXIT_CODES
+from tests.commands import MAINS, ROOT, run
+
+README = (ROOT / "README.md").read_text()
+
+
+def blocks(language: str) -> list[str]:
+    """Contents of the fenced blocks of a language; the empty name is plain text."""
+    fenced = re.findall(r"^```(\w*)\n(.*?)^```", README, flags=re.DOTALL | re.MULTILINE)
+    return [content for name, content in fenced if name == language]
+
+
+def test_every_grasp_command_of_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "assets").symlink_to(ROOT / "assets")
+    monkeypatch.chdir(tmp_path)
+    commands = [command.strip() for block in blocks("sh") for command in block.split("&&") if "bin/grasp-" in command]
+    assert len(commands) >= 2
+    for command in commands:
+        name, *arguments = shlex.split(command)
+        assert run(Path(name).name, *arguments) == 0, command
+
+
+def test_the_python_example_of_the_readme_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(ROOT)
+    (example,) = blocks("python")
+    exec(compile(example, "README.md", "exec"), {})
+    assert re.match(r"\d+\.\d+ N, proven to 0\.\d+%", capsys.readouterr().out)
+
+
+def test_ci_runs_the_readmes_test_command() -> None:
+    (command,) = [line for block in blocks("sh") for line in block.splitlines() if "bin/pytest" in line]
+    assert command in (ROOT / ".ci" / "run").read_text().splitlines()
+
+
+def test_the_readme_names_every_command_and_exit_code() -> None:
+    for command in MAINS:
+        assert f"`{command} " in README
+    assert " ".join(README.split()).find(EXIT_CODES.removeprefix("exit codes: ")) > 0
+
+
+def test_the_tree_of_the_readme_exists() -> None:
+    (tree,) = [block for block in blocks("") if "planner/  " in block]
+    folder = ""
+    for line in tree.splitlines():
+        names = re.findall(r"^\s*((?:[\w.]+(?:\.py|/)\s+)+)", line + "  ")
+        for name in names[0].split() if names else ():
+            folder = name if not line.startswith(" ") else folder
+            assert (ROOT / name).exists() or (ROOT / folder / name).exists(), name
