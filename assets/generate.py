@@ -10,6 +10,12 @@ hidden faces lie inside their neighbours.
     ellipsoid  semi-axes 30, 22 and 18 mm, 2048 facets
     bracket    an L of two plates
     mug        a hollow wall of 16 plates, a bottom and a handle
+
+Planar objects are TOML files of one outline each. They are sized like Cases I and II of that paper, whose own outlines
+are printed as figures only, and weigh what it assumes, 0.01 N per cm^2. All edges are whole numbers of 5 mm cells:
+
+    planar/convex   a plate of 80 x 70 mm with one corner cut off, 56 cells
+    planar/concave  an open-ended spanner, 86 cells
 """
 
 import math
@@ -19,6 +25,7 @@ from pathlib import Path
 Point = tuple[float, float, float]
 Triangle = tuple[int, int, int]
 Mesh = tuple[list[Point], list[Triangle]]
+Corner = tuple[float, float]
 
 FOLDER = Path(__file__).resolve().parent
 
@@ -35,6 +42,18 @@ MJCF = """\
     </body>
   </worldbody>
 </mujoco>
+"""
+
+PLANAR = """\
+# Made by assets/generate.py: change it there.
+format = "rhograsp.planar"
+name = "{name}"
+mass = {mass}  # [kg]
+friction = {friction}
+thickness = {thickness}  # [m]
+outline = [  # [m]
+{corners}
+]
 """
 
 ASSET = """\
@@ -64,6 +83,8 @@ def files() -> dict[str, str]:
         "ellipsoid/ellipsoid.obj": wavefront(ellipsoid((0.03, 0.022, 0.018), subdivisions=4)),
         "bracket/bracket.xml": mjcf("bracket", bracket(), density=2700, friction=0.4),
         "mug/mug.xml": mjcf("mug", mug(), density=2000, friction=0.5),
+        "planar/convex.toml": planar("plate", plate()),
+        "planar/concave.toml": planar("spanner", spanner()),
     }
 
 
@@ -99,6 +120,41 @@ def mug(plates: int = 16) -> list[str]:
         geom("handle_high", "box", size=(0.011, 0.005, 0.004), pos=(0.049, 0, 0.064)),
         geom("handle_grip", "box", size=(0.004, 0.006, 0.027), pos=(0.062, 0, 0.045)),
     ]
+
+
+def plate() -> list[Corner]:
+    """80 x 70 mm less a triangle with legs of 40 and 30 mm: 50 cm^2, the centroid at the origin."""
+    left, bottom = -36.8, -32.0
+    corners = [(0, 0), (80, 0), (80, 40), (40, 70), (0, 70)]
+    return [(left + x, bottom + y) for x, y in corners]
+
+
+def spanner() -> list[Corner]:
+    """A head of 65 x 60 mm with a gap of 30 x 20 mm on a handle of 60 x 20 mm: 45 cm^2, the centroid at the origin."""
+    head = -13.5  # where the handle meets the head
+    upper = [
+        (35, 10),
+        (65, 10),
+        (65, 30),
+        (0, 30),
+        (0, 10),
+        (-60, 10),
+    ]  # from the bottom of the gap to the handle's end
+    corners = [*upper, *[(x, -y) for x, y in reversed(upper)]]
+    return [(head + x, y) for x, y in corners]
+
+
+def planar(name: str, corners: list[Corner]) -> str:
+    """TOML of a planar object with the weight the paper gives it; corners counter-clockwise [mm]."""
+    doubled = [a[0] * b[1] - b[0] * a[1] for a, b in pairwise([*corners, corners[0]])]
+    weight = 0.01 * sum(doubled) / 2 / 100  # [N]
+    return PLANAR.format(
+        name=name,
+        mass=numbers((weight / 9.81,)),
+        friction=0.3,
+        thickness=0.01,
+        corners="\n".join(f"    [{numbers((x / 1000,))}, {numbers((y / 1000,))}]," for x, y in corners),
+    )
 
 
 def cylinder(radius: float, height: float, sides: int) -> Mesh:

@@ -4,25 +4,25 @@ from pathlib import Path
 
 from planner.errors import GraspFileError
 from planner.grasp import Grasp
-from planner.objects.mjcf import read_object
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
+from planner.objects.object_file import read_object_file
 
 
-def read_grasped_object(grasp: Grasp, mjcf: Path | None = None) -> RigidObject:
+def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
     """Read the object of a grasp.
 
     Args:
         grasp: The grasp.
-        mjcf: Where the object's file is now; by default where the grasp says.
+        moved: Where the object's file is now; by default where the grasp says.
 
     Raises:
         ObjectError: When the file cannot be read.
         GraspFileError: When it is not the object the grasp was planned on.
     """
-    file = mjcf or grasp.mjcf
+    file = moved or grasp.file
     if not file.is_file():
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
-    rigid_object = read_object(file, grasp.body)
+    rigid_object = read_object_file(file, grasp.body)
     if rigid_object.sha256 != grasp.sha256:
         raise GraspFileError(
             f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "

@@ -7,7 +7,7 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.grasp import Certificate, Grasp, SearchRecord
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 from planner.search.certified import CertifiedSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult
@@ -18,7 +18,7 @@ PACKAGES = ("rhograsp", "mujoco", "numpy", "scipy", "clarabel", "trimesh")
 
 
 def plan(
-    rigid_object: RigidObject,
+    rigid_object: Graspable,
     task: Task,
     candidates: Candidates,
     fingers: int,
@@ -51,7 +51,7 @@ def plan(
 
 
 def _grasp(
-    rigid_object: RigidObject, task: Task, candidates: Candidates, search: CertifiedSearch, result: SearchResult
+    rigid_object: Graspable, task: Task, candidates: Candidates, search: CertifiedSearch, result: SearchResult
 ) -> Grasp:
     problem, best, end = result.problem, result.incumbent, result.trace[-1]
     dimension = problem.contacts.dimension

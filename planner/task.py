@@ -21,7 +21,7 @@ import numpy as np
 
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.presets import PRESETS
@@ -73,7 +73,7 @@ class TaskFile(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     reference_point: tuple[float, ...] | None = None
 
 
-def make_task(choice: str, object: RigidObject) -> Task:
+def make_task(choice: str, object: Graspable) -> Task:
     """The task for one object.
 
     Args:
@@ -113,7 +113,7 @@ def _read(path: Path) -> TaskFile:
         raise TaskError(f"task file {path}: {error}") from error
 
 
-def _wrench_set(table: dict[str, Any], object: RigidObject, point: np.ndarray) -> WrenchSet:
+def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> WrenchSet:
     """The set that the table of a task file describes, for one object and reference point."""
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS | PRESETS:

@@ -14,6 +14,8 @@ def adaptive_trial(
 ) -> Trial:
     """A trial whose forces answer each wrench within its cap with the least friction utilisation.
 
+    Where there is no wrench to answer the fingers go on squeezing.
+
     Args:
         contacts: The grasp in the body frame, SI, with the planned friction, of which only the ratios count.
         units: Map to the units of the experiment.
@@ -28,5 +30,10 @@ def adaptive_trial(
         wrenches=loads,
         caps=caps,
         preloads=caps[:, None, None] * preload,
-        forces=np.array([feed_forward.forces(load, cap) for load, cap in zip(loads, caps, strict=True)]),
+        forces=np.array(
+            [
+                feed_forward.forces(load, cap) if load.any() else cap * preload
+                for load, cap in zip(loads, caps, strict=True)
+            ]
+        ),
     )

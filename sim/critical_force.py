@@ -1,9 +1,11 @@
 """The measured counterpart of phi and rho: the least cap with which MuJoCo holds each wrench, by bisection.
 
-Each wrench is scaled to a predicted cap of rho, so that all are measured with the same relative accuracy;
-all are bisected together, one batch per halving.
+Each wrench is scaled to a predicted cap of rho, so that all are measured with the same relative accuracy, and all
+are bisected together. The search starts from a narrow band about the prediction, both ends of every wrench in
+one go, and widens the band only for the wrenches whose cap lies outside it.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,13 +13,15 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
-from sim.experiment import check_wrenches, set_up
+from sim.experiment import Experiment, check_wrenches, set_up
 from sim.protocol import ACTIVE, ValidationProtocol
 
-SPAN = 0.1
-"""The bisection starts from a band of this half width about the prediction."""
-HALVINGS = 7
-"""They narrow the band to 0.16 % of the prediction."""
+BANDS = (0.005, 0.02, 0.1)
+"""Half widths of the bands about the prediction that are searched, narrowest first."""
+RESOLUTION = 0.0015
+"""A bracket narrower than this part of the prediction is not halved."""
+MOST_HALVINGS = 6
+"""Enough for the gap between the two widest bands."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -38,6 +42,21 @@ class CriticalForce:
         """Bracket of the grasp's measured rho, the cap that holds every wrench [N]."""
         return float(self.lower.max()), float(self.upper.max())
 
+    @property
+    def ratios(self) -> np.ndarray:
+        """Middle of every bracket over its prediction, shape (wrenches,); infinite if even the highest slipped."""
+        return (self.lower + self.upper) / (2 * self.phi)
+
+    @property
+    def ratio(self) -> float:
+        """Middle of the bracket of the measured rho over the predicted rho."""
+        return sum(self.rho) / (2 * float(self.phi.max()))
+
+    @property
+    def critical_wrench(self) -> int:
+        """The wrench with the largest measured cap."""
+        return int((self.lower + self.upper).argmax())
+
 
 def measure_critical_force(
     rigid_object: RigidObject,
@@ -47,6 +66,7 @@ def measure_critical_force(
     phi: np.ndarray,
     protocol: ValidationProtocol = ACTIVE,
     simulated_friction: np.ndarray | None = None,
+    observe: Callable[[str], None] = lambda _: None,
 ) -> CriticalForce:
     """Bisect the cap of every wrench.
 
@@ -58,27 +78,68 @@ def measure_critical_force(
         phi: Predicted cap of every wrench, positive, shape (wrenches,) [N].
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        observe: Called with a line of progress now and then.
 
     Raises:
         SimulationError: When a fingertip is not where it was planned, a prediction is not positive and finite, or
             the experiment cannot be built or run.
     """
     check_wrenches(wrenches, phi)
-    if not (np.isfinite(phi) & (phi > 0)).all():
-        raise SimulationError(f"phi must be positive and finite to be measured; the least is {phi.min()} N")
+    check_predictions(phi)
     friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
-    rho = float(phi.max())
-    experiment = set_up(rigid_object, contacts, reference_point, rho, friction, protocol)
+    experiment = set_up(rigid_object, contacts, reference_point, float(phi.max()), friction, protocol)
     if experiment.static.reasons():
         raise SimulationError("; ".join(experiment.static.reasons()))
-    scaled = wrenches * (rho / phi)[:, None]
-    slipped, held = np.full(len(phi), 1 - SPAN), np.full(len(phi), 1 + SPAN)
-    ends = experiment.measure(np.vstack([scaled, scaled]), np.concatenate([slipped, held])).held
-    holds_low, holds_high = np.split(ends, 2)
-    for _ in range(HALVINGS):
-        middle = (slipped + held) / 2
-        holds = experiment.measure(scaled, middle).held
-        slipped, held = np.where(holds, slipped, middle), np.where(holds, middle, held)
-    lower = np.where(holds_low, 0.0, np.where(holds_high, slipped, 1 + SPAN))
-    upper = np.where(holds_low, 1 - SPAN, np.where(holds_high, held, np.inf))
-    return CriticalForce(phi=phi, lower=lower * phi, upper=upper * phi)
+    return bisect_caps(experiment, wrenches, phi, observe)
+
+
+def check_predictions(phi: np.ndarray) -> None:
+    """Refuse predictions about which no cap can be searched.
+
+    Raises:
+        SimulationError: When one is not positive and finite.
+    """
+    if not (np.isfinite(phi) & (phi > 0)).all():
+        raise SimulationError(f"phi must be positive and finite to be measured; the least is {phi.min()} N")
+
+
+def bisect_caps(
+    experiment: Experiment, wrenches: np.ndarray, phi: np.ndarray, observe: Callable[[str], None] = lambda _: None
+) -> CriticalForce:
+    """The same in an experiment that is set up and whose fingertips touch where planned.
+
+    Args:
+        experiment: Set up for any rho.
+        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
+        phi: Predicted cap of every wrench, positive and finite, shape (wrenches,) [N].
+        observe: Called with a line of progress now and then.
+
+    Raises:
+        SimulationError: When MuJoCo stops or loses a simulation.
+    """
+    scaled = wrenches / (experiment.units.force * phi)[:, None]
+    slipped, held = np.zeros(len(phi)), np.full(len(phi), np.inf)
+
+    def test(rows: np.ndarray, caps: np.ndarray) -> None:
+        """Simulate wrenches `rows` at these multiples of their phi and draw the brackets in."""
+        done = 0
+
+        def tell(simulations: int) -> None:
+            nonlocal done
+            done += simulations
+            observe(f"bisection: {done} of {len(rows)} simulations of this round")
+
+        holds = experiment.measure(scaled[rows], caps, tell).held
+        np.minimum.at(held, rows[holds], caps[holds])
+        np.maximum.at(slipped, rows[~holds], caps[~holds])
+
+    for band in BANDS:
+        low, high = np.flatnonzero(slipped == 0), np.flatnonzero(np.isinf(held))
+        if low.size + high.size:
+            test(np.concatenate([low, high]), np.repeat([1 - band, 1 + band], [low.size, high.size]))
+    for _ in range(MOST_HALVINGS):
+        wide = np.flatnonzero((slipped > 0) & np.isfinite(held) & (held - slipped > RESOLUTION))
+        if not wide.size:
+            break
+        test(wide, (slipped[wide] + held[wide]) / 2)
+    return CriticalForce(phi=phi, lower=slipped * phi, upper=held * phi)

@@ -1,6 +1,7 @@
 """A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,10 +11,13 @@ from planner.objects.rigid_object import RigidObject
 from sim.adaptive import adaptive_trial
 from sim.measurement import Measurement, measure
 from sim.protocol import ValidationProtocol
-from sim.scene import Scene, build_scene
+from sim.scene import Scene, build_scene, with_friction
 from sim.similarity import Similarity, similarity
 from sim.static_check import StaticCheck, check_touch
-from sim.trial import run
+from sim.trial import Trial, run
+
+MOST_SIMULATIONS = 512
+"""Simulations per batch; more would not run faster."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -30,19 +34,49 @@ class Experiment:
     static: StaticCheck
     """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
 
-    def measure(self, wrenches: np.ndarray, caps: np.ndarray) -> Measurement:
-        """Run all simulations in one batch, the forces answering each wrench within its cap.
+    def measure(
+        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[int], None] = lambda _: None
+    ) -> Measurement:
+        """Run all simulations, the forces answering each wrench within its cap.
+
+        They run in batches of at most MOST_SIMULATIONS: the memory is bounded and the progress can be told.
 
         Args:
             wrenches: One per simulation, shape (simulations, 6) [N, N m].
             caps: One per simulation, relative to rho, shape (simulations,).
+            observe: Called after every batch with the number of simulations it finished.
 
         Raises:
             SimulationError: When MuJoCo stops or loses a simulation.
         """
-        trial = adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
-        final = run(self.scene, trial, self.protocol)
-        return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
+        parts = []
+        for start in range(0, len(caps), MOST_SIMULATIONS):
+            rows = slice(start, start + MOST_SIMULATIONS)
+            parts.append(self.perform(self.adaptive(wrenches[rows], caps[rows])))
+            observe(len(parts[-1].caps))
+        return Measurement.joined(parts)
+
+    def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+        """The trial in which the forces answer each wrench within its cap; see `measure`."""
+        return adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
+
+    def perform(self, trial: Trial) -> Measurement:
+        """Run one batch.
+
+        Raises:
+            SimulationError: When MuJoCo stops or loses a simulation.
+        """
+        return measure(
+            self.scene, trial, run(self.scene, trial, self.protocol), 1 / self.units.force, self.protocol
+        )
+
+    def with_friction(self, friction: np.ndarray) -> "Experiment":
+        """The same experiment with other friction in the simulator, shape (contacts,).
+
+        Raises:
+            ContactError: When the friction is not one positive number per contact.
+        """
+        return replace(self, scene=with_friction(self.scene, friction))
 
 
 def set_up(

@@ -1,10 +1,11 @@
 """What the experiment shows: slip, motion, lost contacts and forces of every simulation."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from planner.friction_cone import components
+from planner.friction_cone import components, utilisation
 from sim.protocol import ValidationProtocol
 from sim.scene import Scene
 from sim.trial import FinalState, Trial
@@ -35,6 +36,12 @@ class Measurement:
     measured_forces: np.ndarray
     """Norms of the contact forces MuJoCo reports, shape (simulations, contacts) [N]."""
 
+    predicted_utilisations: np.ndarray
+    """|f_t| / f_n of the commanded contact forces, shape (simulations, contacts); zero where not loaded."""
+
+    measured_utilisations: np.ndarray
+    """|f_t| / f_n of the contact forces MuJoCo reports, same shape; zero where not loaded."""
+
     loaded: np.ndarray
     """Fingers that carry enough to be judged, shape (simulations, contacts)."""
 
@@ -53,6 +60,11 @@ class Measurement:
     def rows(self, selection: slice) -> "Measurement":
         """The selected simulations."""
         return Measurement(**{name: values[selection] for name, values in vars(self).items()})
+
+    @classmethod
+    def joined(cls, parts: Sequence["Measurement"]) -> "Measurement":
+        """The simulations of all parts, in order; one part or more."""
+        return cls(**{name: np.concatenate([vars(part)[name] for part in parts]) for name in vars(parts[0])})
 
 
 def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protocol: ValidationProtocol) -> Measurement:
@@ -74,9 +86,7 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
     moved = _unrotated(final.object_quaternions, from_object) - points
     inward, sliding = components(moved, normals)
     slips = sliding / protocol.reach
-    translations = np.linalg.norm(final.object_positions, axis=1) / protocol.reach
-    quaternions = final.object_quaternions
-    rotations = 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
+    translations, rotations = final.translations / protocol.reach, final.rotations
     predicted = np.linalg.norm(trial.forces, axis=2)
     loaded = predicted > protocol.loaded * trial.caps[:, None]
     lost = loaded & ~final.touching
@@ -89,7 +99,9 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
         translations=translations,
         rotations=rotations,
         predicted_forces=predicted * force,
-        measured_forces=final.contact_forces * force,
+        measured_forces=np.linalg.norm(final.contact_forces, axis=2) * force,
+        predicted_utilisations=np.where(loaded, utilisation(trial.forces, normals), 0.0),
+        measured_utilisations=np.where(loaded, utilisation(final.contact_forces, np.eye(3)[0]), 0.0),
         loaded=loaded,
         lost=lost,
         held=still & gripped,

@@ -107,11 +107,27 @@ class ValidationProtocol:
     motion_tolerance: float = 1e-3
     """Largest motion of a held object: translation relative to the reach, rotation in radians."""
 
+    gone: float = 3.0
+    """An object that moved so many motion tolerances is lost, and its simulation ends."""
+
     hold_factor: float = 1.02
     """Every wrench must be held with the cap at this multiple of rho."""
 
     control_factor: float = 0.98
     """The critical wrench must slip with the cap at this multiple of rho."""
+
+    # Controls: what must happen if the experiment is to be believed
+    friction_factor: float = 0.9
+    """With the planned friction multiplied by this, exactly the predicted wrenches must slip."""
+
+    ambiguity: float = 0.01
+    """Wrenches whose predicted cap is within this part of the simulated one are too near to call."""
+
+    displacement: float = 0.02
+    """One contact is moved by this part of the object's size and rho predicted anew."""
+
+    creep_tolerance: float = 2e-5
+    """Largest slip of fingers that only squeeze, relative to the reach: a tenth of what a slip is."""
 
     @property
     def damping(self) -> float:

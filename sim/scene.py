@@ -6,7 +6,8 @@ external forces at the centre of mass, so the force it is given is exactly the w
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -89,6 +90,19 @@ def build_scene(
         tip_geoms=np.array([model.geom(_tip_name(finger)).id for finger in range(len(contacts))]),
         tip_radius=radius,
     )
+
+
+def with_friction(scene: Scene, friction: np.ndarray) -> Scene:
+    """The same scene with other friction coefficients, shape (contacts,).
+
+    Raises:
+        ContactError: When the friction is not one positive number per contact.
+    """
+    contacts = replace(scene.contacts, friction=friction)
+    model = copy(scene.model)
+    fingers = (model.pair_geom1[:, None] == scene.tip_geoms) | (model.pair_geom2[:, None] == scene.tip_geoms)
+    model.pair_friction[:, :2] = friction[fingers.argmax(axis=1), None]
+    return replace(scene, model=model, contacts=contacts)
 
 
 def _compose(

@@ -3,6 +3,7 @@
 All are stepped together by mujoco.batch, bit-identical at any number of threads.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,9 @@ from sim.scene import (
     Scene,
 )
 from sim.schedule import fractions
+
+LOOK_EVERY = 10
+"""Steps between two looks for objects that are gone."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -56,7 +60,18 @@ class FinalState:
     """Whether each fingertip touches the object, shape (simulations, contacts)."""
 
     contact_forces: np.ndarray
-    """Norms of the measured contact forces, shape (simulations, contacts) [N]."""
+    """Measured contact forces in contact frames, normal first, shape (simulations, contacts, 3) [N]."""
+
+    @property
+    def translations(self) -> np.ndarray:
+        """Displacement of the object, shape (simulations,) [m]."""
+        return np.linalg.norm(self.object_positions, axis=1)
+
+    @property
+    def rotations(self) -> np.ndarray:
+        """Rotation of the object, shape (simulations,) [rad]."""
+        quaternions = self.object_quaternions
+        return 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
 
 
 def run(scene: Scene, trial: Trial, protocol: ValidationProtocol) -> FinalState:
@@ -65,32 +80,67 @@ def run(scene: Scene, trial: Trial, protocol: ValidationProtocol) -> FinalState:
     Raises:
         SimulationError: When MuJoCo stops a simulation.
     """
-    simulations, fingers = trial.forces.shape[:2]
+    growth = trial.forces - trial.preloads
+    loads = (
+        (load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol)
+    )
+    return step_through(scene, loads, trial.caps, protocol)
+
+
+def step_through(
+    scene: Scene, loads: Iterable[tuple[np.ndarray, np.ndarray]], caps: np.ndarray, protocol: ValidationProtocol
+) -> FinalState:
+    """Step every simulation through given loads; an object that is gone is left where it is.
+
+    Args:
+        scene: What is stepped.
+        loads: For every step the external wrenches, shape (simulations, 6), and the feed-forward forces, shape
+            (simulations, contacts, 3), in the units of the experiment.
+        caps: Largest force norm per finger, shape (simulations,) [N].
+        protocol: Settings.
+
+    Raises:
+        SimulationError: When MuJoCo stops a simulation.
+    """
+    simulations, fingers = len(caps), len(scene.contacts)
     batched = batch.Batch(scene.model, simulations)
     positions, velocities = batched.bind("qpos"), batched.bind("qvel")
     joint_forces = batched.bind("qfrc_applied")[:, TIP_VELOCITIES]
     external = batched.bind("xfrc_applied")[:, scene.object_body]
-    sensors = batched.bind("sensordata")
-    displacements = positions[:, TIP_POSITIONS].reshape(trial.forces.shape)
-    rates = velocities[:, TIP_VELOCITIES].reshape(trial.forces.shape)
-    growth = trial.forces - trial.preloads
-    caps = trial.caps[:, None]
+    sensors = batched.bind("sensordata").reshape(simulations, fingers, SENSOR_WIDTH)
+    displacements = positions[:, TIP_POSITIONS].reshape(simulations, fingers, 3)
+    rates = velocities[:, TIP_VELOCITIES].reshape(simulations, fingers, 3)
+
+    def state() -> FinalState:
+        return FinalState(
+            object_positions=positions[:, OBJECT_POSITION].copy(),
+            object_quaternions=positions[:, OBJECT_QUATERNION].copy(),
+            tip_displacements=displacements.copy(),
+            touching=sensors[:, :, 0] > 0,
+            contact_forces=sensors[:, :, 1:].copy(),
+        )
+
+    present = np.arange(simulations, dtype=np.int32)
     try:
-        for squeeze, load in fractions(protocol):
-            feed_forward = squeeze * trial.preloads + load * growth
-            forces = finger_forces(feed_forward, displacements, rates, caps, protocol.stiffness, protocol.damping)
+        for step, (wrenches, feed_forward) in enumerate(loads, start=1):
+            forces = finger_forces(
+                feed_forward, displacements, rates, caps[:, None], protocol.stiffness, protocol.damping
+            )
             joint_forces[:] = forces.reshape(simulations, -1)
-            external[:] = load * trial.wrenches
-            batched.step()
+            external[:] = wrenches
+            batched.step(present)
+            if step % LOOK_EVERY == 0:
+                present = np.flatnonzero(~_gone(state(), protocol)).astype(np.int32)
+                if not present.size:
+                    break
     except batch.SimulationError as error:
         raise SimulationError(f"MuJoCo stopped the validation: {error}") from error
     if not np.isfinite(positions).all():
         raise SimulationError("a validation simulation diverged; its fingertips may overlap the object or each other")
-    sensors = sensors.reshape(simulations, fingers, SENSOR_WIDTH)
-    return FinalState(
-        object_positions=positions[:, OBJECT_POSITION].copy(),
-        object_quaternions=positions[:, OBJECT_QUATERNION].copy(),
-        tip_displacements=displacements.copy(),
-        touching=sensors[:, :, 0] > 0,
-        contact_forces=np.linalg.norm(sensors[:, :, 1:], axis=2),
-    )
+    return state()
+
+
+def _gone(state: FinalState, protocol: ValidationProtocol) -> np.ndarray:
+    """Objects that moved too far to come back: their outcome is known, stepping on would only cost time."""
+    far = protocol.gone * protocol.motion_tolerance
+    return (state.translations > far * protocol.reach) | (state.rotations > far)

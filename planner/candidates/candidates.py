@@ -6,7 +6,7 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import CandidateError
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -27,18 +27,18 @@ class Candidates:
 
 
 def project(
-    rigid_object: RigidObject, points: np.ndarray, part: np.ndarray, facet: np.ndarray
+    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Points of the exact surface nearest to given ones on given facets, and the inward unit normals there.
 
     Args:
         rigid_object: The object.
-        points: Shape (n, 3) [m].
+        points: Shape (n, d) [m].
         part: Part of each point, shape (n,).
         facet: Facet of each point, shape (n,).
 
     Returns:
-        Two arrays of shape (n, 3).
+        Two arrays of shape (n, d).
     """
     feet, normals = np.empty_like(points), np.empty_like(points)
     for index in np.unique(part):
@@ -48,13 +48,13 @@ def project(
 
 
 def candidates_at(
-    rigid_object: RigidObject, points: np.ndarray, part: np.ndarray, facet: np.ndarray, friction: float | None
+    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray, friction: float | None
 ) -> Candidates:
     """Candidates at the surface points nearest to the given ones.
 
     Args:
         rigid_object: The object.
-        points: Shape (n, 3) [m].
+        points: Shape (n, d) [m].
         part: Part of each point, shape (n,).
         facet: Facet of each point, shape (n,).
         friction: Coulomb coefficient of all contacts; None takes each geom's own.

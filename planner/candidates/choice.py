@@ -4,37 +4,51 @@ from pathlib import Path
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.case3 import case3_points
+from planner.candidates.edges import edge_candidates, edge_grid
 from planner.candidates.even import even_candidates
 from planner.candidates.grid import grid_candidates
 from planner.candidates.listed import listed_candidates, read_points
 from planner.errors import CandidateError
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
+from planner.objects.planar_object import PlanarObject
 
 GRID = "grid:"
 CASE3 = "case3"
 ALLOWED = "a number of points (300), grid:SPACING in metres (grid:0.004), case3, or the path of a CSV file of points"
 
 
-def make_candidates(rigid_object: RigidObject, choice: str, friction: float | None, seed: int) -> Candidates:
+def make_candidates(rigid_object: Graspable, choice: str, friction: float | None, seed: int) -> Candidates:
     """Candidates as chosen.
 
     Args:
         rigid_object: The object.
-        choice: `300` spreads 300 points evenly, `grid:0.004` lays a grid of 4 mm on every facet, `case3` takes the
-            paper's 217 points, anything else is the path of a CSV file of points.
+        choice: `300` spreads 300 points evenly, `grid:0.004` lays a grid of 4 mm on every facet or edge, `case3`
+            takes the paper's 217 points, anything else is the path of a CSV file of points.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
-        seed: Of the evenly spread points.
+        seed: Of the points evenly spread in space; in the plane none is needed.
 
     Raises:
         CandidateError: If the choice, the friction or the seed is out of range, or points are off the surface.
     """
     count = _integer(choice)
+    if isinstance(rigid_object, PlanarObject):
+        return _planar_candidates(rigid_object, choice, count, friction)
     if count is not None:
         return even_candidates(rigid_object, count, friction, seed)
     if choice.startswith(GRID):
         return grid_candidates(rigid_object, _spacing(choice), friction)
     points = case3_points() if choice == CASE3 else read_points(_existing(choice))
     return listed_candidates(rigid_object, points, friction)
+
+
+def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, friction: float | None) -> Candidates:
+    if count is not None:
+        return edge_candidates(planar, count, friction)
+    if choice.startswith(GRID):
+        return edge_grid(planar, _spacing(choice), friction)
+    if choice == CASE3:
+        raise CandidateError(f"{CASE3} lists points in space, but the object is planar; give a number or grid:SPACING")
+    return listed_candidates(planar, read_points(_existing(choice), dimension=2), friction)
 
 
 def _integer(choice: str) -> int | None:

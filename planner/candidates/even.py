@@ -10,7 +10,7 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at, project
 from planner.candidates.farthest import farthest_points
 from planner.errors import CandidateError
-from planner.objects.exposure import exposed
+from planner.objects.exposure import reachable
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import norm
 
@@ -60,7 +60,7 @@ def _pool(
         index = summed_areas.searchsorted(where, side="right").clip(max=len(triangles) - 1)
         drawn = _random_points(triangles[index], generator)
         drawn, normals = project(rigid_object, drawn, part_of[index], facet_of[index])
-        outside = exposed(rigid_object, drawn, normals, part_of[index])
+        outside = reachable(rigid_object, drawn, normals, part_of[index])
         points.append(drawn[outside])
         parts.append(part_of[index][outside])
         facets.append(facet_of[index][outside])

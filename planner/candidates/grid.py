@@ -9,7 +9,8 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at, project
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
-from planner.objects.exposure import exposed
+from planner.objects.exposure import reachable
+from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import unit
@@ -29,10 +30,7 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
     Raises:
         CandidateError: If the spacing is not positive, gives too many points or none, or a part is curved.
     """
-    if not (np.isfinite(spacing) and spacing > 0):
-        raise CandidateError(f"the grid's spacing is {spacing}; it must be positive and finite, in metres")
-    if rigid_object.size > MOST_CANDIDATES * spacing:
-        raise _too_fine(rigid_object, spacing)
+    check_spacing(rigid_object, spacing)
     facets = []
     for index, part in enumerate(rigid_object.parts):
         if not isinstance(part, Polyhedron):
@@ -43,19 +41,32 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
         facets += [(index, facet, _Grid(part, facet, spacing)) for facet in range(len(part.polygons))]
     cells = sum(float(np.prod(grid.cells)) for _, _, grid in facets)
     if cells > MOST_CANDIDATES:
-        raise _too_fine(rigid_object, spacing)
+        raise too_fine(rigid_object, spacing)
     centers = [grid.centers(STRICTLY_INSIDE * rigid_object.size) for _, _, grid in facets]
     counts = [len(each) for each in centers]
     part_of = np.repeat([index for index, _, _ in facets], counts)
     facet_of = np.repeat([facet for _, facet, _ in facets], counts)
     points, normals = project(rigid_object, np.concatenate(centers), part_of, facet_of)
-    outside = exposed(rigid_object, points, normals, part_of)
+    outside = reachable(rigid_object, points, normals, part_of)
     if not outside.any():
         raise CandidateError(f"no cell centre of a grid of {spacing:g} m lies on the surface; choose a smaller spacing")
     return candidates_at(rigid_object, points[outside], part_of[outside], facet_of[outside], friction)
 
 
-def _too_fine(rigid_object: RigidObject, spacing: float) -> CandidateError:
+def check_spacing(rigid_object: Graspable, spacing: float) -> None:
+    """Refuse a spacing that is not positive, or so small that counting its cells could overflow.
+
+    Raises:
+        CandidateError: If it is.
+    """
+    if not (np.isfinite(spacing) and spacing > 0):
+        raise CandidateError(f"the grid's spacing is {spacing}; it must be positive and finite, in metres")
+    if rigid_object.size > MOST_CANDIDATES * spacing:
+        raise too_fine(rigid_object, spacing)
+
+
+def too_fine(rigid_object: Graspable, spacing: float) -> CandidateError:
+    """The error of a spacing that gives too many cells."""
     return CandidateError(
         f"a spacing of {spacing:g} m gives more than {MOST_CANDIDATES} cells; "
         f"the object is {rigid_object.size:.3g} m long, choose a larger spacing"

@@ -8,7 +8,7 @@ from planner.candidates.candidates import Candidates, candidates_at, project
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
 from planner.objects.exposure import exposed
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 
 ON_SURFACE = 1e-6
 """Largest distance of a listed point from the surface, relative to the object's size."""
@@ -17,14 +17,18 @@ LARGEST_FILE = 100_000_000
 """Bytes; a million points need less."""
 
 
-def read_points(path: Path) -> np.ndarray:
+def read_points(path: Path, dimension: int = 3) -> np.ndarray:
     """Points of a CSV file: x,y,z in metres per line, an optional header line, comments after #.
 
+    Args:
+        path: The file.
+        dimension: d, numbers per line: 3, or 2 in the plane.
+
     Returns:
-        Shape (n, 3), n >= 1 [m].
+        Shape (n, d), n >= 1 [m].
 
     Raises:
-        CandidateError: If the file cannot be read, is too large, empty, or a line is not three finite numbers.
+        CandidateError: If the file cannot be read, is too large, empty, or a line is not d finite numbers.
     """
     try:
         if path.stat().st_size > LARGEST_FILE:
@@ -32,28 +36,29 @@ def read_points(path: Path) -> np.ndarray:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, ValueError) as error:
         raise CandidateError(f"the points in '{path}' cannot be read: {error}") from error
+    axes = ",".join("xyz"[:dimension])
     rows: list[tuple[float, ...]] = []
     header_allowed = True
     for number, line in enumerate(lines, start=1):
         text = line.split("#", 1)[0].strip()
         if not text:
             continue
-        row, header = _three_numbers(text), header_allowed and _is_header(text)
+        row, header = _numbers(text, dimension), header_allowed and _is_header(text)
         header_allowed = False
         if header:
             continue
         if row is None:
-            raise CandidateError(f"line {number} of '{path}' is {text[:80]!r}; expected three finite numbers x,y,z")
+            raise CandidateError(f"line {number} of '{path}' is {text[:80]!r}; expected finite numbers {axes}")
         rows.append(row)
         if len(rows) > MOST_CANDIDATES:
             raise CandidateError(f"'{path}' lists more than {MOST_CANDIDATES} points")
     if not rows:
-        raise CandidateError(f"'{path}' lists no points; write one x,y,z per line, in metres")
+        raise CandidateError(f"'{path}' lists no points; write {axes} in every line, in metres")
     return np.array(rows)
 
 
 def listed_candidates(
-    rigid_object: RigidObject, points: np.ndarray, friction: float | None = None, tolerance: float = ON_SURFACE
+    rigid_object: Graspable, points: np.ndarray, friction: float | None = None, tolerance: float = ON_SURFACE
 ) -> Candidates:
     """Candidates at the given points, each with the part, facet and normal it lies on.
 
@@ -61,7 +66,7 @@ def listed_candidates(
 
     Args:
         rigid_object: The object.
-        points: Shape (n, 3) [m].
+        points: Shape (n, d) [m].
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         tolerance: Largest distance from the surface, relative to the object's size.
 
@@ -84,14 +89,14 @@ def listed_candidates(
 
 
 def _require_on_surface(
-    rigid_object: RigidObject, points: np.ndarray, distance: np.ndarray, hidden: np.ndarray, tolerance: float
+    rigid_object: Graspable, points: np.ndarray, distance: np.ndarray, hidden: np.ndarray, tolerance: float
 ) -> None:
     off = np.flatnonzero(distance > tolerance)
     if not len(off):
         return
     first = off[0]
-    x, y, z = points[first]
-    point = f"point {first + 1} of {len(points)}, ({x:.9g}, {y:.9g}, {z:.9g})"
+    position = ", ".join(f"{coordinate:.9g}" for coordinate in points[first])
+    point = f"point {first + 1} of {len(points)}, ({position})"
     if hidden[first] <= tolerance:
         raise CandidateError(
             f"{point}, is on a surface no finger can reach: inside another part of the object, or in a crack "
@@ -105,13 +110,13 @@ def _require_on_surface(
     )
 
 
-def _three_numbers(text: str) -> tuple[float, ...] | None:
-    """The three finite numbers of a line, or None."""
+def _numbers(text: str, count: int) -> tuple[float, ...] | None:
+    """The finite numbers of a line, or None if they are not `count`."""
     try:
         row = tuple(float(cell) for cell in text.split(","))
     except ValueError:
         return None
-    return row if len(row) == 3 and bool(np.isfinite(row).all()) else None
+    return row if len(row) == count and bool(np.isfinite(row).all()) else None
 
 
 def _is_header(text: str) -> bool:

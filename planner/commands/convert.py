@@ -25,7 +25,7 @@ class Options:
     """Which wrench's forces to show; by default the critical one."""
 
     object: Path | None = None
-    """Where the object's MJCF file is now, if it has moved."""
+    """Where the object's file is now, if it has moved."""
 
 
 def convert_command(options: Options) -> ExitCode:

@@ -19,7 +19,7 @@ class Options:
     """
 
     object: tyro.conf.Positional[Path]
-    """MJCF file of the object; what MuJoCo collides is what is planned on."""
+    """MJCF file of the object: what MuJoCo collides is what is planned on. Or the .toml file of a planar one."""
 
     fingers: int = 3
     """How many fingers, 1 to 8."""
@@ -29,12 +29,13 @@ class Options:
 
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
-    is the weight as a force box and the moments of a shifted centre of mass; "axes6" is six pushes of 10 N per kg;
-    anything else is a TOML file."""
+    is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
+    along each axis; anything else is a TOML file."""
 
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
-    facet; "case3" for the paper's 217 points on the prism; anything else is a CSV file of points x,y,z."""
+    facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
+    points x,y,z (planar: x,y)."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -61,7 +62,7 @@ def plan_command(options: Options) -> ExitCode:
     from planner.candidates.choice import make_candidates
     from planner.commands.plan_report import Report
     from planner.grasp_file import SUFFIX, write_grasp
-    from planner.objects.mjcf import read_object
+    from planner.objects.object_file import read_object_file
     from planner.plan import plan
     from planner.search.certified import CertifiedSearch
     from planner.search.result import Status
@@ -70,7 +71,7 @@ def plan_command(options: Options) -> ExitCode:
     out = options.out or Path(options.object.stem + SUFFIX)
     require_writable(out)
     search = CertifiedSearch(gap=options.gap, time_limit=options.time_limit, seed=options.seed)
-    rigid_object = read_object(options.object, options.body)
+    rigid_object = read_object_file(options.object, options.body)
     task = make_task(options.task, rigid_object)
     candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed)
     report = Report(quiet=options.quiet)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from planner.candidates.candidates import Candidates
 from planner.grasp import Grasp
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 from planner.search.result import Progress, Status
 from planner.task import Task
 
@@ -19,7 +19,7 @@ class Report:
     def __init__(self, *, quiet: bool) -> None:
         self._quiet = quiet
 
-    def problem(self, rigid_object: RigidObject, task: Task, candidates: Candidates, fingers: int) -> None:
+    def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
         """What is about to be searched."""
         extent = " x ".join(f"{1000 * edge:.4g}" for edge in rigid_object.extent)
         friction = candidates.contacts.friction

@@ -11,7 +11,10 @@ import trimesh
 from planner.atomic_write import write_atomically
 from planner.errors import GraspFileError
 from planner.grasp import Grasp
-from planner.objects.rigid_object import RigidObject
+from planner.lift import lift_grasp
+from planner.objects.extrusion import extruded
+from planner.objects.graspable import Graspable
+from planner.objects.planar_object import PlanarObject
 
 CONE_HEIGHT = 0.1
 """Height of a drawn friction cone, relative to the object's size."""
@@ -23,11 +26,11 @@ OBJECT_COLOR, CONE_COLOR, FORCE_COLOR = (170, 180, 195, 140), (240, 190, 60, 150
 """Red, green, blue, opacity."""
 
 
-def grasp_scene(rigid_object: RigidObject, grasp: Grasp, wrench: int) -> trimesh.Scene:
+def grasp_scene(rigid_object: Graspable, grasp: Grasp, wrench: int) -> trimesh.Scene:
     """The object, a friction cone inside each contact, and the forces that balance one wrench of the task.
 
     Args:
-        rigid_object: What is grasped.
+        rigid_object: What is grasped; a planar object is shown as a slab.
         grasp: The grasp.
         wrench: Which wrench's forces to draw.
 
@@ -38,6 +41,8 @@ def grasp_scene(rigid_object: RigidObject, grasp: Grasp, wrench: int) -> trimesh
         raise GraspFileError(
             f"wrench {wrench} of a grasp with forces for {len(grasp.forces)} wrenches; nothing to draw"
         )
+    if isinstance(rigid_object, PlanarObject):
+        rigid_object, grasp = extruded(rigid_object), lift_grasp(grasp)
     size = rigid_object.size
     scene = trimesh.Scene()
     for number, part in enumerate(rigid_object.parts):
@@ -57,7 +62,7 @@ def grasp_scene(rigid_object: RigidObject, grasp: Grasp, wrench: int) -> trimesh
     return scene
 
 
-def write_glb(path: Path, rigid_object: RigidObject, grasp: Grasp, wrench: int | None = None) -> None:
+def write_glb(path: Path, rigid_object: Graspable, grasp: Grasp, wrench: int | None = None) -> None:
     """Write the scene of a grasp, by default with the forces of its critical wrench.
 
     Raises:

@@ -8,19 +8,25 @@ parts, too narrow for any fingertip.
 
 import numpy as np
 
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
 
 PROBES = (1e-6, 1e-2)
 """Heights above the surface at which other parts are asked, relative to the object's size."""
 
+FINGERTIP = 0.005
+"""Radius of the fingertip that must fit beside other parts' walls, relative to the object's size."""
 
-def exposed(rigid_object: RigidObject, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
+SEAM = 1e-3
+"""Relative slack that lets a fingertip rest on one of two coplanar faces beside the other."""
+
+
+def exposed(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
     """Whether surface points are on the outer surface of the union.
 
     Args:
         rigid_object: The object.
-        points: Points on the surfaces of parts, shape (n, 3) [m].
-        normals: Inward unit normals there, shape (n, 3).
+        points: Points on the surfaces of parts, shape (n, d) [m].
+        normals: Inward unit normals there, shape (n, d).
         part: Index of the part each point belongs to, shape (n,).
 
     Returns:
@@ -34,3 +40,29 @@ def exposed(rigid_object: RigidObject, points: np.ndarray, normals: np.ndarray, 
             asked = np.flatnonzero(outside & (part != index) & ((probes > lower) & (probes < upper)).all(axis=1))
             outside[asked] = other.depth(probes[asked]) <= 0
     return outside
+
+
+def reachable(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
+    """Whether a fingertip touching the outer surface at a point keeps clear of all other parts.
+
+    The fingertip is a ball of radius FINGERTIP times the object's size. Distances to other parts are taken to the
+    planes of their facets, so near a seam a little more than necessary is given up.
+
+    Args:
+        rigid_object: The object.
+        points: Points on the surfaces of parts, shape (n, d) [m].
+        normals: Inward unit normals there, shape (n, d).
+        part: Index of the part each point belongs to, shape (n,).
+
+    Returns:
+        Shape (n,), boolean.
+    """
+    clear = exposed(rigid_object, points, normals, part)
+    radius = FINGERTIP * rigid_object.size
+    centers = points - radius * normals
+    for index, other in enumerate(rigid_object.parts):
+        lower, upper = other.bounds()
+        near = ((centers > lower - radius) & (centers < upper + radius)).all(axis=1)
+        asked = np.flatnonzero(clear & (part != index) & near)
+        clear[asked] = other.depth(centers[asked]) <= -radius * (1 - SEAM)
+    return clear

@@ -9,45 +9,16 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.objects.part import Part
 
-class ConvexPart(Protocol):
+
+class ConvexPart(Part, Protocol):
     """One collision geom: a convex solid whose surface is divided into facets."""
-
-    @property
-    def geom(self) -> str:
-        """The geom's name in the compiled model, or `geom<id>` where it has none."""
-
-    @property
-    def friction(self) -> float:
-        """Sliding friction coefficient the geom carries."""
 
     def triangles(self) -> tuple[np.ndarray, np.ndarray]:
         """Triangles of the surface, shape (triangles, 3, 3) [m], and the facet of each, shape (triangles,).
 
         Exact for polyhedra; for curved parts a tessellation whose vertices lie on the surface.
-        """
-
-    def bounds(self) -> np.ndarray:
-        """Lower and upper corner of the part's bounding box along the axes of B, shape (2, 3) [m]."""
-
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
-        """The facet nearest to each point that lies on or near the surface, shape (n,)."""
-
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Nearest points of the given facets' exact surface and the inward unit normals there.
-
-        Args:
-            points: Points near their facets, shape (n, 3) [m].
-            facets: Facet of each point, shape (n,).
-
-        Returns:
-            Surface points and inward unit normals, each of shape (n, 3).
-        """
-
-    def depth(self, points: np.ndarray) -> np.ndarray:
-        """How deep each point lies inside: positive inside, zero on the surface, negative outside [m].
-
-        The sign is exact; the magnitude is a lower bound of the distance to the surface for points inside.
         """
 
 

@@ -8,8 +8,10 @@ from typing import Protocol
 import msgspec
 import numpy as np
 
+from planner.contacts import wrench_dimension
 from planner.errors import TaskError
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
+from planner.objects.planar_object import PlanarObject
 from planner.objects.surface import surface_distance
 from planner.wrench_sets.box import Box
 from planner.wrench_sets.cylinder import Cylinder
@@ -24,12 +26,12 @@ GRAVITY = 9.81
 class Preset(Protocol):
     """A family of wrench sets with one member per object."""
 
-    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
         """The set for one object.
 
         Args:
             object: The object.
-            reference_point: p_o, about which moments are taken, shape (3,) [m].
+            reference_point: p_o, about which moments are taken, shape (d,) [m].
 
         Raises:
             TaskError: When the object has no mass.
@@ -37,15 +39,19 @@ class Preset(Protocol):
 
 
 class Paper(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """W_R = { (f, m) : |f_k| <= W, |m_k| <= 0.8 γ W }.
+    """In space W_R = { (f, m) : |f_k| <= W, |m_k| <= 0.8 γ W }, in the plane { (f, m) : |f| <= W, |m| <= 0.8 γ W }.
 
-    W is the weight, γ the distance from the reference point to the nearest facet: weight in any direction,
-    its centre anywhere within 0.8 γ. Source: Watanabe and Yoshikawa, section 4, Case III.
+    W is the weight: weight in any direction, its centre anywhere within 0.8 γ of the reference point. γ is the
+    distance from there to the nearest facet in space, to the nearest corner in the plane. The planar set is
+    circumscribed by a prism of 8 sides and 2 caps. Source: Watanabe and Yoshikawa, section 4, Cases III, I and II.
     """
 
-    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
         """See `Preset`."""
         force = weight(object)
+        if isinstance(object, PlanarObject):
+            moment = 0.8 * object.outline.corner_distance(reference_point) * force
+            return Cylinder(force=force, moment=moment, dimension=2)
         moment = 0.8 * surface_distance(object, reference_point) * force
         return Box(force=(force, force, force), moment=(moment, moment, moment))
 
@@ -68,14 +74,16 @@ class Gravity(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         if self.radius is not None:
             size("radius", self.radius, zero=True)
 
-    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
         """See `Preset`."""
         radius = 0.1 * float(object.extent.min()) if self.radius is None else self.radius
-        return Cylinder(force=weight(object), moment=weight(object) * radius)
+        return Cylinder(force=weight(object), moment=weight(object) * radius, dimension=len(reference_point))
 
 
 class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """W_R = conv { (±a M e_k, 0) : k = 1, 2, 3 }: the mass M pushed along each axis, without moment.
+    """W_R = conv { (±a M e_k, 0) : k = 1, ..., d }: the mass M pushed along each axis, without moment.
+
+    Six pushes in space, four in the plane.
 
     Raises:
         TaskError: When the acceleration is not positive and finite.
@@ -87,14 +95,16 @@ class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     def __post_init__(self) -> None:
         size("acceleration", self.acceleration, zero=False)
 
-    def for_object(self, object: RigidObject, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
         """See `Preset`."""
         push = weight(object) / GRAVITY * self.acceleration
-        wrenches = push * np.vstack([np.eye(3, 6), -np.eye(3, 6)])
+        dimension = len(reference_point)
+        axes = push * np.eye(dimension, wrench_dimension(dimension))
+        wrenches = np.vstack([axes, -axes])
         return Polytope(wrenches=tuple(map(tuple, wrenches.tolist())))
 
 
-def weight(object: RigidObject) -> float:
+def weight(object: Graspable) -> float:
     """Weight of the object [N].
 
     Raises:

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from assets.generate import FOLDER, files
+from planner.objects.planar import read_planar
 
 OBJECTS = sorted(name for name in files() if name.endswith(".xml"))
 
@@ -21,7 +22,8 @@ def test_the_file_is_what_the_generator_makes(name: str) -> None:
 
 
 def test_no_object_file_was_made_by_hand() -> None:
-    found = {path.relative_to(FOLDER).as_posix() for suffix in ("xml", "obj") for path in FOLDER.rglob(f"*.{suffix}")}
+    paths = [path for kind in ("*.xml", "*.obj", "planar/*.toml") for path in FOLDER.rglob(kind)]
+    found = {path.relative_to(FOLDER).as_posix() for path in paths}
     assert found == set(files())
 
 
@@ -88,3 +90,17 @@ def test_the_mug_is_hollow() -> None:
     distance = mujoco.mj_ray(model, data, np.array([0.02, 0.01, 1.0]), np.array([0, 0, -1.0]), None, 1, -1, met)
     assert model.geom(int(met[0])).name == "bottom"
     assert distance == pytest.approx(1 - 0.008)
+
+
+@pytest.mark.parametrize(("name", "cells", "area"), [("convex", 56, 50.0), ("concave", 86, 45.0)])
+def test_planar_objects_weigh_what_the_paper_says_about_their_centroids_and_have_whole_cells(
+    name: str, cells: int, area: float
+) -> None:
+    """0.01 N per square centimetre; cells of 5 mm."""
+    planar = read_planar(FOLDER / "planar" / f"{name}.toml")
+    assert planar.mass * 9.81 == pytest.approx(0.01 * area, rel=1e-8)
+    assert planar.outline.area == pytest.approx(1e-4 * area)
+    np.testing.assert_allclose(planar.center_of_mass, 0, atol=1e-12)
+    edges = planar.outline.lengths / 0.005
+    np.testing.assert_allclose(edges, edges.round(), rtol=1e-9)
+    assert edges.sum() == pytest.approx(cells)

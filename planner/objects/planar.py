@@ -1,0 +1,93 @@
+"""Reads one planar object from a TOML file:
+
+format = "rhograsp.planar"
+name = "plate"
+mass = 0.05          # [kg]
+friction = 0.3       # of every edge, where the command line gives none
+thickness = 0.01     # [m]; only the simulator uses it; a tenth of the diagonal where left out
+outline = [          # corners in order, in the body frame [m]
+    [0.00, 0.00],
+    [0.08, 0.00],
+    [0.00, 0.06],
+]
+"""
+
+import tomllib
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+import numpy as np
+
+from planner.errors import ObjectError
+from planner.objects.digest import digest
+from planner.objects.outline import Outline
+from planner.objects.planar_object import PlanarObject
+from planner.objects.simple_polygon import LARGEST, simple_polygon
+
+MAX_FILE_BYTES = 1_000_000
+"""Largest file: room for more corners than are allowed."""
+
+THICKNESS = 0.1
+"""Thickness where none is given, relative to the diagonal of the outline's bounding box."""
+
+
+class PlanarFile(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The file, before its numbers are checked."""
+
+    format: Literal["rhograsp.planar"]
+    name: str
+    outline: list[tuple[float, float]]
+    mass: float
+    friction: float
+    thickness: float | None = None
+
+
+def read_planar(path: Path) -> PlanarObject:
+    """The planar object of a TOML file.
+
+    Raises:
+        ObjectError: If the file cannot be read, is of another format, its outline is no simple polygon, or a size
+            is not positive.
+    """
+    file = _decode(path)
+    try:
+        corners = np.array(file.outline, dtype=float).reshape(-1, 2)
+        outline = Outline(
+            geom=file.name,
+            friction=_positive("friction", file.friction),
+            corners=simple_polygon(corners, file.name),
+        )
+        diagonal = float(np.linalg.norm(np.ptp(corners, axis=0)))
+        return PlanarObject(
+            file=path,
+            sha256=digest(path.parent, [path]),
+            body=file.name,
+            outline=outline,
+            mass=_positive("mass", file.mass),
+            thickness=_positive("thickness", THICKNESS * diagonal if file.thickness is None else file.thickness),
+        )
+    except ObjectError as error:
+        raise ObjectError(f"planar object '{path}': {error}") from error
+
+
+def _decode(path: Path) -> PlanarFile:
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MAX_FILE_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: a path that no file can have
+        raise ObjectError(f"the planar object '{path}' cannot be read: {error}") from error
+    if len(content) > MAX_FILE_BYTES:
+        raise ObjectError(f"'{path}' is longer than {MAX_FILE_BYTES} bytes; a planar object needs less")
+    try:
+        return msgspec.convert(tomllib.loads(content.decode()), PlanarFile)
+    except (ValueError, RecursionError, msgspec.ValidationError) as error:  # ValueError: TOML and UTF-8
+        raise ObjectError(
+            f"'{path}' is not a planar object (format = \"rhograsp.planar\", name, outline, mass, friction): {error}"
+        ) from error
+
+
+def _positive(name: str, value: float) -> float:
+    if not 0 < value <= LARGEST:
+        raise ObjectError(f"{name} is {value}; it must be positive and finite, at most {LARGEST:g}")
+    return value

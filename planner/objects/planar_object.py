@@ -1,0 +1,54 @@
+"""A rigid object in the plane: an outline with a mass.
+
+Frame: the body frame B in which the outline is drawn, SI. Moments are numbers, positive counter-clockwise.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from planner.objects.outline import Outline
+from planner.objects.part import Part
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PlanarObject:
+    """What `RigidObject` is in space, with the same names for the same things."""
+
+    file: Path
+    """The file it was read from."""
+
+    sha256: str
+    """Digest of that file."""
+
+    body: str
+    """Its name."""
+
+    outline: Outline
+
+    mass: float
+    """[kg]"""
+
+    thickness: float
+    """Height of the slab that stands for the object where a third dimension is needed [m]."""
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The outline, the only part."""
+        return (self.outline,)
+
+    @property
+    def center_of_mass(self) -> np.ndarray:
+        """Of a uniform object: the centroid of its area, shape (2,) [m]."""
+        return self.outline.centroid
+
+    @property
+    def extent(self) -> np.ndarray:
+        """Edge lengths of the outline's bounding box, shape (2,) [m]."""
+        return np.ptp(self.outline.bounds(), axis=0)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the bounding box [m]."""
+        return float(np.linalg.norm(self.extent))

@@ -1,0 +1,155 @@
+"""Squeeze, tug, look: the test that others put a grasp to, in its own units and under its own thresholds.
+
+The fingers push with an internal force that leans on friction as little as possible, its largest finger at the named
+squeeze, and yield like springs; they know nothing of the tugs. This is a squeeze with room to slip, not a measurement
+of rho: it has a pass or a fail and no force to compare.
+"""
+
+from dataclasses import dataclass
+from importlib.metadata import version
+
+import mujoco
+import numpy as np
+from mujoco import batch
+
+from planner.contacts import Contacts
+from planner.errors import SettingError, SimulationError
+from planner.objects.rigid_object import RigidObject
+from sim.benches.settings import BenchSettings
+from sim.benches.world import build_world
+from sim.feed_forward import FeedForward
+from sim.force_law import finger_forces
+from sim.scene import OBJECT_POSITION, OBJECT_QUATERNION, SENSOR_WIDTH, TIP_POSITIONS, TIP_VELOCITIES, Scene
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class BenchOutcome:
+    """Verdict, evidence and every setting of the test."""
+
+    passed: bool
+
+    reasons: tuple[str, ...]
+    """Why not, one sentence each; empty when passed."""
+
+    rigid_object: RigidObject
+
+    squeeze: float
+    """Named largest force of a fingertip before the tugs [N]."""
+
+    preload: np.ndarray
+    """Constant push of each fingertip, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
+
+    translations: np.ndarray
+    """Largest displacement of the body's origin at any look, shape (simulations,) [m]."""
+
+    rotations: np.ndarray
+    """Largest rotation at any look, shape (simulations,) [rad]."""
+
+    touching: np.ndarray
+    """Which fingertips touch the object at the end, shape (simulations, contacts)."""
+
+    tip_radius: float
+    """[m]"""
+
+    settings: BenchSettings
+
+    versions: dict[str, str]
+    """Of the packages that can change the outcome."""
+
+
+def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, settings: BenchSettings) -> BenchOutcome:
+    """Run every simulation of a test in one batch and judge it.
+
+    Args:
+        rigid_object: What the fingers hold.
+        contacts: The grasp in the body frame; its friction is replaced by the test's.
+        squeeze: Largest force with which a fingertip squeezes [N].
+        settings: The test.
+
+    Raises:
+        SettingError: When the squeeze is not a positive, finite force.
+        SimulationError: When a fingertip is not where it was planned or MuJoCo cannot build or run the test.
+    """
+    if not (np.isfinite(squeeze) and squeeze > 0):
+        raise SettingError(f"the squeeze is {squeeze} N; fingertips squeeze with a positive, finite force")
+    scene = build_world(rigid_object, contacts, settings)
+    even = Contacts(
+        points=contacts.points, normals=contacts.normals, friction=np.full(len(contacts), settings.friction)
+    )
+    preload = FeedForward(even, rigid_object.center_of_mass).internal_force(squeeze)
+    translations, rotations, touching = _simulate(scene, preload, settings)
+    reasons = _objections(translations, rotations, touching, settings)
+    return BenchOutcome(
+        passed=not reasons,
+        reasons=reasons,
+        rigid_object=rigid_object,
+        squeeze=float(squeeze),
+        preload=preload,
+        translations=translations,
+        rotations=rotations,
+        touching=touching,
+        tip_radius=scene.tip_radius,
+        settings=settings,
+        versions={"mujoco": mujoco.__version__, "numpy": np.__version__, "dm-control": version("dm-control")},
+    )
+
+
+def _simulate(
+    scene: Scene, preload: np.ndarray, settings: BenchSettings
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Largest translations and rotations at any look, and who touches at the end."""
+    tugs = settings.object_mass * settings.tug_acceleration * np.array(settings.tugs, dtype=float)
+    simulations, count = tugs.shape[:2]
+    batched = batch.Batch(scene.model, simulations)
+    positions, velocities = batched.bind("qpos"), batched.bind("qvel")
+    joint_forces = batched.bind("qfrc_applied")[:, TIP_VELOCITIES]
+    external = batched.bind("xfrc_applied")[:, scene.object_body, :3]
+    sensors = batched.bind("sensordata")
+    displacements = positions[:, TIP_POSITIONS].reshape(simulations, *preload.shape)
+    rates = velocities[:, TIP_VELOCITIES].reshape(simulations, *preload.shape)
+    squeezing, tugging, look = (
+        round(seconds / settings.timestep) for seconds in (settings.squeeze_time, settings.tug_time, settings.check_interval)
+    )
+    translations, rotations = np.zeros(simulations), np.zeros(simulations)
+    last = squeezing + count * tugging
+    try:
+        for step in range(1, last + 1):
+            push = min(1.0, step / squeezing) * preload
+            forces = finger_forces(push, displacements, rates, np.array(np.inf), settings.stiffness, settings.damping)
+            joint_forces[:] = forces.reshape(simulations, -1)
+            if step > squeezing:
+                external[:] = tugs[:, (step - squeezing - 1) // tugging]
+            batched.step()
+            if step > squeezing and ((step - squeezing) % look == 0 or step == last):
+                translations = np.maximum(translations, np.linalg.norm(positions[:, OBJECT_POSITION], axis=1))
+                rotations = np.maximum(rotations, _angles(positions[:, OBJECT_QUATERNION]))
+    except batch.SimulationError as error:
+        raise SimulationError(f"MuJoCo stopped {settings.name}: {error}") from error
+    if not np.isfinite(positions).all():
+        raise SimulationError(f"{settings.name} diverged; fingertips may overlap the object or each other")
+    touching = sensors.reshape(simulations, len(preload), SENSOR_WIDTH)[:, :, 0] > 0
+    return translations, rotations, touching
+
+
+def _angles(quaternions: np.ndarray) -> np.ndarray:
+    return 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
+
+
+def _objections(
+    translations: np.ndarray, rotations: np.ndarray, touching: np.ndarray, settings: BenchSettings
+) -> tuple[str, ...]:
+    """One sentence per simulation that breaks the test's rule."""
+    sentences = []
+    for row, tugs in enumerate(settings.tugs):
+        faults = []
+        if settings.translation_limit is not None and translations[row] >= settings.translation_limit:
+            faults.append(f"the object moved {translations[row]:.2g} m (allowed {settings.translation_limit:g})")
+        if settings.rotation_limit is not None and rotations[row] >= settings.rotation_limit:
+            turned, allowed = np.rad2deg([rotations[row], settings.rotation_limit])
+            faults.append(f"the object turned {turned:.3g} degrees (allowed {allowed:.3g})")
+        if settings.contact_at_end and not touching[row].all():
+            faults.append(f"fingers {np.flatnonzero(~touching[row]).tolist()} do not touch the object at the end")
+        if faults:
+            pull = ", ".join("({:.2g}, {:.2g}, {:.2g})".format(*tug) for tug in tugs)
+            sentences.append(f"pulled along {pull}: {' and '.join(faults)}")
+    return tuple(sentences)

@@ -1,0 +1,100 @@
+"""Everything that defines another group's test of a grasp: world, fingers, tugs and what counts as a pass."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class BenchSettings:
+    """One published protocol, emulated with fingertips in real metres, newtons and kilograms."""
+
+    name: str
+    """Says where it comes from and that fingertips stand in for the hand."""
+
+    # Object
+    object_mass: float
+    """The protocol's own mass, whatever the object weighs [kg]; its inertia is scaled along."""
+
+    # Contact
+    friction: float
+    """The protocol's own sliding friction, whatever was planned."""
+
+    torsional_friction: float
+    """Resistance to turning about the contact normal, used when condim is 4 [m]."""
+
+    condim: int
+    """3: sliding friction. 4: torsional friction too."""
+
+    solref: tuple[float, float]
+    """Time constant [s] and damping ratio of a contact."""
+
+    solimp: tuple[float, float, float, float, float]
+    """Constraint impedance."""
+
+    cone: str = "elliptic"
+
+    impratio: float
+    """Friction-to-normal impedance."""
+
+    # Solver
+    timestep: float
+    """[s]"""
+
+    integrator: str = "implicitfast"
+
+    solver: str = "Newton"
+
+    iterations: int
+    """Largest number of solver iterations."""
+
+    tolerance: float
+    """Solver tolerance."""
+
+    noslip_iterations: int
+
+    jacobian: str = "dense"
+    """Dense: the sparse factorisation of mujoco-core 4.0.0 has a bug."""
+
+    # Fingers: the emulation's own
+    stiffness: float = 1000.0
+    """Stiffness of a fingertip [N/m]: a joint of 5 N m/rad, DexGraspBench's hands, at 7 cm."""
+
+    damping_ratio: float = 0.7
+    """Damping of that spring, relative to critical."""
+
+    tip_mass: float = 0.05
+    """Mass of a fingertip [kg]."""
+
+    tip_radii: tuple[float, ...] = (0.04, 0.01, 0.0025)
+    """Radii of the fingertips over the largest distance of a contact from the centre of mass: the first that touches
+    nothing but what was planned is taken."""
+
+    # Schedule
+    squeeze_time: float
+    """Seconds in which the fingers close and the squeeze grows [s]."""
+
+    tugs: tuple[tuple[tuple[float, float, float], ...], ...]
+    """Unit directions in body axes: one simulation per row, its tugs one after another."""
+
+    tug_time: float
+    """Seconds of each tug [s]."""
+
+    tug_acceleration: float
+    """Force of a tug per mass of the object, at its centre of mass, without torque [m/s^2]."""
+
+    # Pass
+    check_interval: float
+    """The object's motion is looked at every so many seconds of a tug and at the end [s]."""
+
+    translation_limit: float | None = None
+    """Largest displacement of the body's origin at any look [m]; None: any."""
+
+    rotation_limit: float | None = None
+    """Largest rotation of the object at any look [rad]; None: any."""
+
+    contact_at_end: bool = False
+    """Whether every fingertip must touch the object at the end."""
+
+    @property
+    def damping(self) -> float:
+        """Damping of a fingertip, 2 zeta sqrt(K m) [N s/m]."""
+        return 2 * self.damping_ratio * float((self.stiffness * self.tip_mass) ** 0.5)

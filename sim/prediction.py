@@ -1,0 +1,23 @@
+"""What the theory says about a grasp and its wrenches, solved anew: the measurement trusts no file."""
+
+import numpy as np
+
+from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.forces.minimax import MinimaxForces
+
+
+def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+    """phi of every wrench: the least force cap per finger that balances it within the friction cones.
+
+    Args:
+        contacts: The grasp.
+        reference_point: p_o, shape (d,) [m].
+        wrenches: About p_o, shape (wrenches, D) [N, N m].
+
+    Returns:
+        Shape (wrenches,) [N]; infinite where no forces balance the wrench.
+    """
+    solver = MinimaxForces(len(contacts), contacts.dimension)
+    maps = grasp_maps(contacts.points, reference_point) @ contact_frames(contacts.normals)
+    length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
+    return np.array([solver.solve_arrays(maps, contacts.friction, wrench, length)[1] for wrench in wrenches])
