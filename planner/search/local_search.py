@@ -17,6 +17,9 @@ STARTS = 2
 MOST_STEPS = 300
 """Corrections per climb."""
 
+DECISIVE = 16
+"""Rows of the table that every swap is checked against."""
+
 PROBES = 1
 """Vertices solved before a subset the table likes is evaluated in full."""
 
@@ -49,15 +52,30 @@ def climb(values: np.ndarray, subset: np.ndarray) -> np.ndarray:
     best = values[:, subset].sum(axis=1).min()
     slot, unimproved = 0, 0
     while unimproved < len(subset):
-        others = np.delete(subset, slot)
-        scores = (values[:, others].sum(axis=1)[:, None] + values).min(axis=0)
-        scores[others] = -np.inf
-        candidate = int(scores.argmax())
         unimproved += 1
-        if scores[candidate] > best * (1 + 1e-9):
-            best, subset[slot], unimproved = scores[candidate], candidate, 1
+        candidate, score = best_swap(values, np.delete(subset, slot), best * (1 + 1e-9))
+        if candidate >= 0:
+            best, subset[slot], unimproved = score, candidate, 1
         slot = (slot + 1) % len(subset)
     return np.sort(subset)
+
+
+def best_swap(values: np.ndarray, others: np.ndarray, least: float) -> tuple[int, float]:
+    """The candidate that, with the others, has the largest smallest row sum, if that exceeds `least`; else -1.
+
+    The rows in which the others sum to least decide nearly always: the rest of the table is only read for the
+    candidates that pass those.
+    """
+    base = values[:, others].sum(axis=1)
+    decisive = np.argpartition(base, DECISIVE - 1)[:DECISIVE] if len(base) > DECISIVE else np.arange(len(base))
+    scores = (values[decisive] + base[decisive, None]).min(axis=0)
+    scores[others] = -np.inf
+    passing = np.flatnonzero(scores > least)
+    scores = (values[:, passing] + base[:, None]).min(axis=0)
+    if scores.max(initial=least) <= least:
+        return -1, least
+    chosen = int(scores.argmax())
+    return int(passing[chosen]), float(scores[chosen])
 
 
 def improve(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbents: Incumbents) -> None:
