@@ -180,7 +180,7 @@ def draw(out: Path, *, quick: bool) -> None:
         for panel, case in zip(axes[1:], cases, strict=True):
             best = best_of_ties(case.problem)
             contacts = case.problem.contacts
-            title = f"{case.problem.fingers} fingers, µ = 0.3, rho = {best.rho:.3g} N"
+            title = f"{case.problem.fingers} fingers: rho = {best.rho:.3g} N"
             draw_outline(panel, target.outline.corners, contacts, contacts.subset(best.subset), title)
         save_figure(out / f"{name}.png", figure)
 

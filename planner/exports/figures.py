@@ -73,10 +73,9 @@ def draw_outline(axes: "Axes", outline: np.ndarray, candidates: Contacts, grasp:
                 xy=tuple(point),
                 xytext=tuple(point - length * normal),
                 arrowprops={"arrowstyle": "-|>", "color": CONTACT, "linewidth": 2},
-                annotation_clip=False,
             )
-        tails = CENTIMETRES * grasp.points - length * grasp.normals
-        axes.plot(*tails.T, ".", color=CONTACT, markersize=1)  # arrows count when the limits are set
+    (left, bottom), (right, top) = corners.min(axis=0) - length, corners.max(axis=0) + length
+    axes.set(xlim=(left, right), ylim=(bottom, top))  # room for an arrow on every side
     axes.set(aspect="equal", title=title, xlabel="x [cm]", ylabel="y [cm]")
 
 

@@ -11,10 +11,8 @@ import trimesh
 from planner.atomic_write import write_atomically
 from planner.errors import GraspFileError
 from planner.grasp import Grasp
-from planner.lift import lift_grasp
-from planner.objects.extrusion import extruded
+from planner.lift import in_space
 from planner.objects.graspable import Graspable
-from planner.objects.planar_object import PlanarObject
 
 CONE_HEIGHT = 0.1
 """Height of a drawn friction cone, relative to the object's size."""
@@ -41,8 +39,7 @@ def grasp_scene(rigid_object: Graspable, grasp: Grasp, wrench: int) -> trimesh.S
         raise GraspFileError(
             f"wrench {wrench} of a grasp with forces for {len(grasp.forces)} wrenches; nothing to draw"
         )
-    if isinstance(rigid_object, PlanarObject):
-        rigid_object, grasp = extruded(rigid_object), lift_grasp(grasp)
+    rigid_object, grasp = in_space(rigid_object, grasp)
     size = rigid_object.size
     scene = trimesh.Scene()
     for number, part in enumerate(rigid_object.parts):
