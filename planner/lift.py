@@ -18,6 +18,10 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.grasp import Certificate, Grasp
+from planner.objects.extrusion import extruded
+from planner.objects.graspable import Graspable
+from planner.objects.planar_object import PlanarObject
+from planner.objects.rigid_object import RigidObject
 from planner.task import Task
 
 
@@ -40,10 +44,12 @@ def lift_contacts(contacts: Contacts) -> Contacts:
     )
 
 
-def lift_grasp(grasp: Grasp) -> Grasp:
-    """A whole planar grasp with its task, forces and proof; the cuts prove the same bound in space."""
+def in_space(rigid_object: Graspable, grasp: Grasp) -> tuple[RigidObject, Grasp]:
+    """An object and its grasp in space: as they are, or a planar object as a slab and its grasp lifted."""
+    if not isinstance(rigid_object, PlanarObject):
+        return rigid_object, grasp
     task, certificate = grasp.task, grasp.certificate
-    return replace(
+    lifted = replace(
         grasp,
         task=Task(
             name=task.name,
@@ -54,3 +60,4 @@ def lift_grasp(grasp: Grasp) -> Grasp:
         forces=lift_vectors(grasp.forces),
         certificate=Certificate(candidates=lift_contacts(certificate.candidates), cuts=lift_wrenches(certificate.cuts)),
     )
+    return extruded(rigid_object), lifted

@@ -24,6 +24,7 @@ def plan(
     fingers: int,
     search: CertifiedSearch | None = None,
     observe: Callable[[Progress], None] = lambda _: None,
+    stop: Callable[[], bool] = lambda: False,
 ) -> Grasp:
     """Choose the contacts that resist the task with the smallest fingertip force, and prove it.
 
@@ -34,6 +35,7 @@ def plan(
         fingers: How many fingers.
         search: The search and its gap, time limit and seed; by default a proof to 0.1 %.
         observe: Called with every line of the search log as it happens.
+        stop: Once it returns true, the search ends with the best grasp and the gap it has.
 
     Raises:
         CandidateError: When there are fewer candidates than fingers.
@@ -46,7 +48,7 @@ def plan(
         reference_point=task.reference_point,
         wrenches=task.wrenches,
     )
-    result = search.run(problem, observe)
+    result = search.run(problem, observe, stop)
     return _grasp(rigid_object, task, candidates, search, result)
 
 

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -201,3 +202,21 @@ def test_the_proof_of_the_golden_case_takes_seconds_not_minutes(tmp_path: Path) 
     began = time.perf_counter()
     assert plan_prism(tmp_path / "x.grasp.json", "-q") == 0
     assert time.perf_counter() - began < 100
+
+
+def test_ctrl_c_writes_the_best_grasp_with_its_open_gap(tmp_path: Path) -> None:
+    grasp = tmp_path / "stopped.grasp.json"
+    command = [sys.executable, ROOT / "scripts" / "plan.py", ASSETS / "mug" / "mug.xml", "--fingers", 5]
+    command += ["--candidates", 800, "--out", grasp]
+    with subprocess.Popen([str(part) for part in command], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            if line.split()[:2] == ["0", "1"]:  # the first line of the log: a first grasp is known
+                process.send_signal(signal.SIGINT)
+                break
+        process.stdout.read()
+        assert process.wait(60) == 4
+    document = json.loads(grasp.read_text())
+    assert document["status"] == "interrupted"
+    assert document["rho"] > 0
+    assert run("grasp-verify", grasp) == 0

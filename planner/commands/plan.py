@@ -7,7 +7,7 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.commands.terminal import ExitCode, Interruption, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,7 +76,7 @@ def plan_command(options: Options) -> ExitCode:
     candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed)
     report = Report(quiet=options.quiet)
     report.problem(rigid_object, task, candidates, options.fingers)
-    grasp = plan(rigid_object, task, candidates, options.fingers, search, report.progress)
+    grasp = plan(rigid_object, task, candidates, options.fingers, search, report.progress, Interruption())
     write_grasp(out, grasp)
     report.grasp(grasp, out)
     if grasp.status is Status.OPTIMAL:

@@ -32,6 +32,8 @@ from planner.forces.contact_program import INFEASIBLE, SOLVED
 
 RANGE_TOLERANCE = 1e-9
 """A wrench is out of reach of the fingers when this part of it remains unbalanced."""
+SERVED = 1e-7
+"""Preloads serve a wrench when no force leaves its cone or exceeds the cap by more, relative to the largest share."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -95,16 +97,38 @@ def _impossible(wrenches: np.ndarray, contacts: Contacts) -> SqueezeNeed:
 def _least_weights(internal: np.ndarray, responses: np.ndarray, friction: np.ndarray) -> np.ndarray | None:
     """Weights z of the internal forces, p = N z, with the least largest force; None if there are none.
 
-    Clarabel's form A x + s = b with x = (z, cap); per wrench and finger the slack s is (mu f_n, f_t) in a
-    second-order cone, then (cap, f) in another, with f = N_i z + response.
+    Few wrenches bind. The program is solved for some of them; those that its answer serves worst join, finger by
+    finger, until it serves all: the exact optimum, at 4,096 wrenches in a fraction of a second instead of a minute.
 
     Args:
         internal: Basis N of the internal forces in contact frames, shape (m, d, k).
-        responses: Change of the contact forces per wrench, in contact frames, shape (l, m, d).
+        responses: Change of the contact forces per wrench, in contact frames, the first none, shape (l, m, d).
         friction: Shape (m,).
 
     Raises:
         SolverError: When Clarabel stops without an optimum or a certificate.
+    """
+    binding = np.union1d(0, np.linalg.norm(responses, axis=2).argmax(axis=0))
+    for _ in range(len(responses)):  # every round but the last adds one or more
+        solution = _solve(internal, responses[binding], friction)
+        if solution is None:
+            return None
+        weights, cap = solution
+        forces = internal @ weights + responses
+        beyond_cone = np.linalg.norm(forces[..., 1:], axis=2) - friction * forces[..., 0]
+        excess = np.concatenate([beyond_cone, np.linalg.norm(forces, axis=2) - cap], axis=1)
+        unserved = np.setdiff1d(excess.argmax(axis=0)[excess.max(axis=0) > SERVED], binding)
+        if not unserved.size:
+            break
+        binding = np.union1d(binding, unserved)
+    return weights
+
+
+def _solve(internal: np.ndarray, responses: np.ndarray, friction: np.ndarray) -> tuple[np.ndarray, float] | None:
+    """Weights and the largest force for these wrenches alone; None if there are none.
+
+    Clarabel's form A x + s = b with x = (z, cap); per wrench and finger the slack s is (mu f_n, f_t) in a
+    second-order cone, then (cap, f) in another, with f = N_i z + response.
     """
     fingers, d, count = internal.shape
     rows, bounds = np.zeros((fingers, 2 * d + 1, count + 1)), np.zeros((len(responses), fingers, 2 * d + 1))
@@ -113,20 +137,17 @@ def _least_weights(internal: np.ndarray, responses: np.ndarray, friction: np.nda
     rows[:, :d, :count], bounds[:, :, :d] = -slopes[:, :, None] * internal, slopes * responses
     rows[:, d, count] = -1.0
     rows[:, d + 1 :, :count], bounds[:, :, d + 1 :] = -internal, responses
-    matrix = np.tile(rows.reshape(-1, count + 1), (len(responses), 1))
-    cones = [clarabel.SecondOrderConeT(d), clarabel.SecondOrderConeT(d + 1)] * (len(responses) * fingers)
     settings = clarabel.DefaultSettings()
     settings.verbose = False
     settings.max_threads = 1
-    solver = clarabel.DefaultSolver(
+    solution = clarabel.DefaultSolver(
         sparse.csc_matrix((count + 1, count + 1)),
         np.append(np.zeros(count), 1.0),
-        sparse.csc_matrix(matrix),
+        sparse.csc_matrix(np.tile(rows.reshape(-1, count + 1), (len(responses), 1))),
         bounds.ravel(),
-        cones,
+        [clarabel.SecondOrderConeT(d), clarabel.SecondOrderConeT(d + 1)] * (len(responses) * fingers),
         settings,
-    )
-    solution = solver.solve()
+    ).solve()
     if solution.status in INFEASIBLE:
         return None
     if solution.status not in SOLVED:
@@ -134,4 +155,5 @@ def _least_weights(internal: np.ndarray, responses: np.ndarray, friction: np.nda
             f"Clarabel stopped with status {solution.status} on the squeeze of {fingers} fingers, neither an optimum "
             "nor a proof that there is none; this grasp holds some wrench barely or barely not"
         )
-    return np.asarray(solution.x[:count])
+    x = np.asarray(solution.x)
+    return x[:count], float(x[count])

@@ -3,6 +3,8 @@
 A concave outline becomes one slab per triangle of it, because parts in space are convex.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from planner.objects.ear_clipping import is_convex, triangles
@@ -12,8 +14,13 @@ from planner.objects.rigid_object import RigidObject
 from planner.objects.simple_polygon import cross
 
 
-def extruded(planar: PlanarObject) -> RigidObject:
-    """The slab, its body frame that of the outline.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Slab(RigidObject):
+    """A planar object in space: it moves in the plane z = 0 and turns about z, nothing else."""
+
+
+def extruded(planar: PlanarObject) -> Slab:
+    """The slab of a planar object, its body frame that of the outline.
 
     Raises:
         ObjectError: If the outline is too thin somewhere to be a solid.
@@ -23,7 +30,7 @@ def extruded(planar: PlanarObject) -> RigidObject:
     if not is_convex(outline.corners):
         pieces = [outline.corners[list(triangle)] for triangle in triangles(outline.corners)]
     slabs = [np.vstack([np.column_stack([piece, np.full(len(piece), z)]) for z in (-half, half)]) for piece in pieces]
-    return RigidObject(
+    return Slab(
         file=planar.file,
         sha256=planar.sha256,
         body=planar.body,

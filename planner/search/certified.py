@@ -69,26 +69,34 @@ class CertifiedSearch:
         if self.within is not None and not 0 <= self.within < np.inf:
             raise SettingError(f"the tolerance is {self.within}; it must be 0 or more, for example 0.01")
 
-    def run(self, problem: SearchProblem, observe: Callable[[Progress], None] = lambda _: None) -> SearchResult:
-        """Search until the gap is proven, time is up, or the user interrupts.
+    def run(
+        self,
+        problem: SearchProblem,
+        observe: Callable[[Progress], None] = lambda _: None,
+        stop: Callable[[], bool] = lambda: False,
+    ) -> SearchResult:
+        """Search until the gap is proven, time is up, or the caller asks to stop.
 
         Args:
             problem: What to search.
             observe: Called with every line of the search log as it happens.
+            stop: Asked again and again; once true, the search returns with what it has.
         """
-        run = _Run(problem, self, observe)
-        try:
-            status = run.search()
-        except KeyboardInterrupt:
-            status = Status.INTERRUPTED
-        return run.result(status)
+        run = _Run(problem, self, observe, stop)
+        return run.result(run.search())
 
 
 class _Run:
     """State of one certified search."""
 
-    def __init__(self, problem: SearchProblem, method: CertifiedSearch, observe: Callable[[Progress], None]) -> None:
-        self.problem, self.method, self.observe = problem, method, observe
+    def __init__(
+        self,
+        problem: SearchProblem,
+        method: CertifiedSearch,
+        observe: Callable[[Progress], None],
+        stop: Callable[[], bool],
+    ) -> None:
+        self.problem, self.method, self.observe, self.stop = problem, method, observe, stop
         self.began = time.perf_counter()
         self.evaluator = Evaluator(problem)
         self.cuts = CutTable(problem)
@@ -106,9 +114,11 @@ class _Run:
         """Rows bounded by this hold nothing that is wanted [1/N]."""
         return 1 / self.incumbents.level
 
-    @property
-    def out_of_time(self) -> bool:
-        return time.perf_counter() - self.began > self.method.time_limit
+    def halted(self) -> Status | None:
+        """Why the search has to end before its proof is complete, if it has to."""
+        if self.stop():
+            return Status.INTERRUPTED
+        return Status.TIME_LIMIT if time.perf_counter() - self.began > self.method.time_limit else None
 
     def search(self) -> Status:
         add_vertex_cuts(self.cuts)
@@ -119,8 +129,8 @@ class _Run:
             return Status.INFEASIBLE
         self.log()
         while len(self.frontier):
-            if self.out_of_time:
-                return Status.TIME_LIMIT
+            if status := self.halted():
+                return status
             self.advance()
             if time.perf_counter() - self.began > 2 * self.trace[-1].seconds + 0.5:
                 self.log()
@@ -131,13 +141,13 @@ class _Run:
         self.log()
         possible = []
         for subsets in pairs(self.problem):
-            if self.out_of_time:
-                return Status.TIME_LIMIT
+            if status := self.halted():
+                return status
             possible.append(subsets[self.drop(line_bounds(self.problem, subsets))])
             self.nodes += len(subsets)
         for subset in np.concatenate(possible):
-            if self.out_of_time:
-                return Status.TIME_LIMIT
+            if status := self.halted():
+                return status
             self.evaluate(subset)
         self.frontier.pop(1)
         return self.proven_status()
@@ -153,10 +163,8 @@ class _Run:
         """Local search from random subsets."""
         generator = np.random.default_rng(self.method.seed)
         for _ in range(STARTS):
-            if self.out_of_time:
-                return
             start = generator.choice(len(self.problem.contacts), size=self.problem.fingers, replace=False)
-            improve(self.evaluator, self.cuts, start, self.incumbents)
+            improve(self.evaluator, self.cuts, start, self.incumbents, lambda: self.halted() is not None)
 
     def impossible_at_once(self) -> bool:
         """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
@@ -184,7 +192,11 @@ class _Run:
         single = (self.tree.sizes[children] == 1).all(axis=1)
         self.frontier.push(children[~single], bounds[~single])
         best_first = np.argsort(-bounds[single], kind="stable")
-        for row in children[single][best_first]:
+        leaves, bounds = children[single][best_first], bounds[single][best_first]
+        for done, row in enumerate(leaves):
+            if self.halted():
+                self.frontier.push(leaves[done:], bounds[done:])  # still open: the bound must not forget them
+                return
             self.evaluate(np.sort(self.tree.order[self.tree.start[row]]))
 
     def drop(self, bounds: np.ndarray) -> np.ndarray:

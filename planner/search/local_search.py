@@ -5,6 +5,8 @@ vertex first; a vertex that the table had not foreseen gives a cut that lowers t
 A start ends when the subset the table likes best nearby cannot beat the incumbent.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
 from planner.search.cuts import CutTable
@@ -78,9 +80,13 @@ def best_swap(values: np.ndarray, others: np.ndarray, least: float) -> tuple[int
     return int(passing[chosen]), float(scores[chosen])
 
 
-def improve(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbents: Incumbents) -> None:
+def improve(
+    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbents: Incumbents, stop: Callable[[], bool]
+) -> None:
     """Climb from a subset until the table cannot beat the best grasp nearby; better ones are offered on the way."""
     for _ in range(MOST_STEPS):
+        if stop():
+            break
         subset = climb(cuts.values, subset)
         level = min(incumbents.rho, evaluator.problem.force_ceiling)
         if cuts.bound(subset)[0] <= (1 + SOLVER_ACCURACY) / level:

@@ -1,6 +1,6 @@
 """The certified search against enumeration, and against its own promises."""
 
-from itertools import combinations
+from itertools import chain, combinations, repeat
 
 import numpy as np
 import pytest
@@ -71,3 +71,19 @@ def test_zero_gap_finds_the_optimum_exactly() -> None:
         result = CertifiedSearch(gap=0.0).run(problem)
         assert result.rho == pytest.approx(np.inf if best is None else best.rho, rel=1e-7)
         assert result.gap < 1e-6 or best is None
+
+
+def test_wherever_it_is_stopped_its_bound_and_gap_are_true() -> None:
+    stopped = 0
+    for seed in (1, 2, 5, 8, 13, 21):
+        problem = random_problem(seed)
+        best = exhaustive_search(problem)
+        for patience in (0, 1, 3, 10, 30, 60, 100):
+            answers = chain(repeat(False, patience), repeat(True))
+            result = CertifiedSearch().run(problem, stop=answers.__next__)
+            stopped += result.status is Status.INTERRUPTED
+            assert best is None or result.lower_bound <= best.rho * (1 + 1e-7)
+            assert best is None or result.rho >= best.rho * (1 - 1e-7)
+            if result.status is not Status.INTERRUPTED:
+                assert result.status in (Status.OPTIMAL, Status.INFEASIBLE)
+    assert stopped > 10
