@@ -244,6 +244,7 @@ class _Run:
             bounds = self.bounds.bound(rows, self.threshold)
             open_ = self.drop(bounds)
             self.frontier.push(rows[open_], bounds[open_])
+            self.bounds.useful.update(range(len(self.cuts)))  # any of them may bound what is still open
         self.bounds.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
         self.log()
         return SearchResult(
