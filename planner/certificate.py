@@ -15,6 +15,9 @@ from planner.grasp import Certificate
 MOST_ENUMERATED = 20_000_000
 """Subsets up to which enumeration is used."""
 
+SMALL_GROUP = 8
+"""Groups up to this size are looked up afresh: remembering them all would double the memory of the table."""
+
 ROUNDING = 1e-9
 """Relative slack for the rounding of a sum of a few numbers."""
 
@@ -116,8 +119,11 @@ def _halve_groups(table: np.ndarray, points: np.ndarray, fingers: int, most: flo
     best: dict[tuple[int, int], np.ndarray] = {}
 
     def maximum(group: tuple[int, int]) -> np.ndarray:
+        start, stop = group
+        if stop - start <= SMALL_GROUP:
+            return table[start:stop].max(axis=0)
         if group not in best:
-            best[group] = table[group[0] : group[1]].max(axis=0)
+            best[group] = table[start:stop].max(axis=0)
         return best[group]
 
     stack = [((0, len(table)),) * fingers]

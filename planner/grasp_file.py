@@ -11,7 +11,6 @@ import os
 import re
 import zipfile
 from pathlib import Path
-from typing import Annotated
 
 import msgspec
 import numpy as np
@@ -19,105 +18,28 @@ import numpy as np
 from planner.atomic_write import write_atomically
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, RhograspError
-from planner.grasp import Certificate, Grasp, SearchRecord
-from planner.search.result import Status, relative_gap
+from planner.grasp import Certificate, Grasp
+from planner.grasp_document import (
+    FORMAT,
+    FORMAT_VERSION,
+    CertificateRecord,
+    ContactRecord,
+    GraspDocument,
+    Header,
+    ObjectRecord,
+    PlannerRecord,
+    TaskRecord,
+)
+from planner.search.problem import MOST_FINGERS
+from planner.search.result import relative_gap
 from planner.task import Task
 
-FORMAT = "rhograsp.grasp"
-FORMAT_VERSION = 1
 SUFFIX = ".grasp.json"
 
 MAX_JSON_BYTES = 256 * 2**20
 MAX_ARRAY_BYTES = 2**30
 AGREEMENT = 1e-6
 """Relative accuracy to which numbers stored twice must agree."""
-
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-Count = Annotated[int, msgspec.Meta(ge=0)]
-Vector = list[float]
-
-
-class Header(msgspec.Struct, frozen=True):
-    """What is read first, to tell a foreign or newer file from a broken one."""
-
-    format: str
-    format_version: int
-
-
-class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """The object the grasp is for."""
-
-    mjcf: str
-    """Path of the object's file (MJCF, or a planar outline), relative to the grasp file's folder where possible."""
-    sha256: str
-    body: str
-    mass: float
-
-
-class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """The required external force set."""
-
-    name: str
-    reference_point: Vector
-    """Point that moments are about, body frame [m]."""
-    wrenches: list[Vector]
-    """Vertices, (force, moment) in body axes [N, N m]."""
-
-
-class ContactRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """One fingertip contact."""
-
-    position: Vector
-    normal: Vector
-    """Inward unit normal."""
-    friction: Positive
-    geom: str
-    candidate: Count
-
-
-class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`."""
-
-    file: str
-    sha256: str
-    cuts: Count
-
-
-class PlannerRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """What made the file."""
-
-    version: str
-    packages: dict[str, str]
-
-
-class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
-    """A grasp file. Positions, normals and forces in the body frame, SI.
-
-    forces[j] balance task.wrenches[j]: sum f = -force and sum (p - reference_point) x f = -moment.
-    """
-
-    format: str
-    format_version: int
-    object: ObjectRecord
-    task: TaskRecord
-    contacts: list[ContactRecord]
-    """Empty when the status is infeasible or no grasp was found."""
-    rho: float | None
-    """Largest fingertip force needed [N]; null without contacts."""
-    lower_bound: float
-    """Proven lower bound on rho of every subset of the candidates [N]."""
-    gap: float | None
-    """rho / lower_bound - 1; null without contacts."""
-    status: Status
-    critical_wrench: int | None
-    """Index of the wrench that needs rho."""
-    phi: Vector
-    """Least largest fingertip force for each wrench [N]."""
-    forces: list[list[Vector]]
-    """Contact forces, one row of forces per wrench [N]."""
-    search: SearchRecord
-    certificate: CertificateRecord
-    planner: PlannerRecord
 
 
 def certificate_path(path: Path) -> Path:
@@ -293,6 +215,8 @@ def _check(document: GraspDocument, grasp: Grasp) -> None:
         raise GraspFileError(f"wrenches and cuts must have {size} numbers each")
     if not np.isfinite(grasp.certificate.cuts).all():
         raise GraspFileError("a cut is not finite")
+    if not 1 <= grasp.search.fingers <= min(MOST_FINGERS, len(grasp.certificate.candidates)):
+        raise GraspFileError(f"{grasp.search.fingers} fingers for {len(grasp.certificate.candidates)} candidates")
     if not grasp.found:
         if document.rho is not None or len(grasp.phi):
             raise GraspFileError("rho and phi are given without contacts")

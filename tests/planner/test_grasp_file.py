@@ -82,9 +82,14 @@ def lose_friction(document: dict[str, Any]) -> None:
     document["contacts"][0]["friction"] = -0.3
 
 
+def grow_fingers(document: dict[str, Any]) -> None:
+    document["search"]["fingers"] = 1000
+
+
 @pytest.mark.parametrize(
     ("edit", "message"),
     [
+        (grow_fingers, "1000 fingers"),
         (halve_rho, "rho does not agree"),
         (scale_forces, "phi does not agree"),
         (move_contact, "position does not agree"),

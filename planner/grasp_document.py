@@ -1,0 +1,98 @@
+"""The published shape of a grasp file: its keys, types and units. Reading and writing are in `planner.grasp_file`."""
+
+from typing import Annotated
+
+import msgspec
+
+from planner.grasp import SearchRecord
+from planner.search.result import Status
+
+FORMAT = "rhograsp.grasp"
+FORMAT_VERSION = 1
+
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+Count = Annotated[int, msgspec.Meta(ge=0)]
+Vector = list[float]
+
+
+class Header(msgspec.Struct, frozen=True):
+    """What is read first, to tell a foreign or newer file from a broken one."""
+
+    format: str
+    format_version: int
+
+
+class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """The object the grasp is for."""
+
+    mjcf: str
+    """Path of the object's file (MJCF, or a planar outline), relative to the grasp file's folder where possible."""
+    sha256: str
+    body: str
+    mass: float
+
+
+class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """The required external force set."""
+
+    name: str
+    reference_point: Vector
+    """Point that moments are about, body frame [m]."""
+    wrenches: list[Vector]
+    """Vertices, (force, moment) in body axes [N, N m]."""
+
+
+class ContactRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """One fingertip contact."""
+
+    position: Vector
+    normal: Vector
+    """Inward unit normal."""
+    friction: Positive
+    geom: str
+    candidate: Count
+
+
+class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`."""
+
+    file: str
+    sha256: str
+    cuts: Count
+
+
+class PlannerRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """What made the file."""
+
+    version: str
+    packages: dict[str, str]
+
+
+class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
+    """A grasp file. Positions, normals and forces in the body frame, SI.
+
+    forces[j] balance task.wrenches[j]: sum f = -force and sum (p - reference_point) x f = -moment.
+    """
+
+    format: str
+    format_version: int
+    object: ObjectRecord
+    task: TaskRecord
+    contacts: list[ContactRecord]
+    """Empty when the status is infeasible or no grasp was found."""
+    rho: float | None
+    """Largest fingertip force needed [N]; null without contacts."""
+    lower_bound: float
+    """Proven lower bound on rho of every subset of the candidates [N]."""
+    gap: float | None
+    """rho / lower_bound - 1; null without contacts."""
+    status: Status
+    critical_wrench: int | None
+    """Index of the wrench that needs rho."""
+    phi: Vector
+    """Least largest fingertip force for each wrench [N]."""
+    forces: list[list[Vector]]
+    """Contact forces, one row of forces per wrench [N]."""
+    search: SearchRecord
+    certificate: CertificateRecord
+    planner: PlannerRecord
