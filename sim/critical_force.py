@@ -16,11 +16,11 @@ from planner.objects.rigid_object import RigidObject
 from sim.experiment import Experiment, check_wrenches, set_up
 from sim.protocol import ACTIVE, ValidationProtocol
 
-BANDS = (0.005, 0.02, 0.1)
+BANDS = (0.005, 0.02, 0.1, 0.3)
 """Half widths of the bands about the prediction that are searched, narrowest first."""
 RESOLUTION = 0.0015
 """A bracket narrower than this part of the prediction is not halved."""
-MOST_HALVINGS = 6
+MOST_HALVINGS = 8
 """Enough for the gap between the two widest bands."""
 
 

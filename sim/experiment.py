@@ -10,6 +10,7 @@ from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
 from sim.adaptive import adaptive_trial
 from sim.measurement import Measurement, measure
+from sim.object_joints import joints_of
 from sim.protocol import ValidationProtocol
 from sim.scene import Scene, build_scene, with_friction
 from sim.similarity import Similarity, similarity
@@ -66,9 +67,7 @@ class Experiment:
         Raises:
             SimulationError: When MuJoCo stops or loses a simulation.
         """
-        return measure(
-            self.scene, trial, run(self.scene, trial, self.protocol), 1 / self.units.force, self.protocol
-        )
+        return measure(self.scene, trial, run(self.scene, trial, self.protocol), 1 / self.units.force, self.protocol)
 
     def with_friction(self, friction: np.ndarray) -> "Experiment":
         """The same experiment with other friction in the simulator, shape (contacts,).
@@ -106,7 +105,7 @@ def set_up(
     units = similarity(contacts, reference_point, rho, protocol.reach)
     simulated = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
     for tip_radius in protocol.tip_radii:
-        scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius)
+        scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius, joints_of(rigid_object))
         static = check_touch(scene, rigid_object.size, units.length, protocol)
         if not static.reasons():
             break

@@ -15,6 +15,8 @@ from planner.forces.minimax import MinimaxForces
 
 STEEPEST = np.deg2rad(89.0)
 """Largest friction angle the fingers ever count on [rad]."""
+FLATTEST = 1e-3
+"""Friction angle that counts as none [rad]: in a flatter cone solvers, to their accuracy, let fingers pull."""
 ANGLE_TOLERANCE = 1e-6
 """Bracket of the least friction angle at which the search stops [rad]."""
 CAP_TOLERANCE = 1e-4
@@ -95,10 +97,11 @@ class FeedForward:
         low, high, low_value, high_value = 0.0, STEEPEST, -1.0, _margin(cap, best[1])
         kept = 0
         for step in range(MOST_SOLVES):
-            if _margin(cap, best[1]) <= CAP_TOLERANCE or high - low <= ANGLE_TOLERANCE:
+            if _margin(cap, best[1]) <= CAP_TOLERANCE or high - low <= ANGLE_TOLERANCE or high <= FLATTEST:
                 break
             false_position = low - low_value / (high_value - low_value) * (high - low)
             angle = (low + high) / 2 if step % BISECTION_EVERY == BISECTION_EVERY - 1 else false_position
+            angle = max(angle, FLATTEST)
             trial = self._solve(wrench, angle)
             value = _margin(cap, trial[1])
             if value >= 0:

@@ -7,7 +7,7 @@ external forces at the centre of mass, so the force it is given is exactly the w
 
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import mujoco
 import numpy as np
@@ -17,15 +17,12 @@ from planner.errors import SimulationError
 from planner.objects.rigid_object import ConvexPart
 from sim.composer import mjcf
 from sim.geometry import add_part
+from sim.object_joints import FreeJoint, ObjectJoints
 from sim.protocol import ValidationProtocol
 from sim.similarity import Similarity
 
 OBJECT = "object"
 """Name of the object's body."""
-OBJECT_POSITION, OBJECT_QUATERNION = slice(0, 3), slice(3, 7)
-"""Where qpos holds the object's pose."""
-TIP_POSITIONS, TIP_VELOCITIES = slice(7, None), slice(6, None)
-"""Where qpos and qvel hold the fingertips' displacements from their anchors, three per finger."""
 SENSOR = ("found", "force")
 """What every fingertip's contact sensor reports: number of contacts, then the force in the contact frame."""
 SENSOR_WIDTH = 4
@@ -55,6 +52,10 @@ class Scene:
     tip_radius: float
     """[m]"""
 
+    joints: ObjectJoints = field(default_factory=FreeJoint)
+    """How the object may move; after its coordinates, qpos and qvel hold the fingertips' displacements from their
+    anchors, three per finger."""
+
 
 def build_scene(
     parts: Sequence[ConvexPart],
@@ -62,6 +63,7 @@ def build_scene(
     similarity: Similarity,
     protocol: ValidationProtocol,
     tip_radius: float,
+    joints: ObjectJoints,
 ) -> Scene:
     """Compose and compile the scene.
 
@@ -71,13 +73,14 @@ def build_scene(
         similarity: Map to the units of the experiment.
         protocol: Settings.
         tip_radius: Radius of the fingertips, relative to the reach.
+        joints: How the object may move.
 
     Raises:
         SimulationError: When MuJoCo cannot compile the scene.
     """
     touching = similarity.contacts(contacts)
     radius = tip_radius * protocol.reach
-    root = _compose(parts, touching, similarity, protocol, radius)
+    root = _compose(parts, touching, similarity, protocol, radius, joints)
     try:
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
@@ -89,6 +92,7 @@ def build_scene(
         object_geoms=np.array([model.geom(_part_name(part)).id for part in range(len(parts))]),
         tip_geoms=np.array([model.geom(_tip_name(finger)).id for finger in range(len(contacts))]),
         tip_radius=radius,
+        joints=joints,
     )
 
 
@@ -106,12 +110,17 @@ def with_friction(scene: Scene, friction: np.ndarray) -> Scene:
 
 
 def _compose(
-    parts: Sequence[ConvexPart], contacts: Contacts, similarity: Similarity, protocol: ValidationProtocol, radius: float
+    parts: Sequence[ConvexPart],
+    contacts: Contacts,
+    similarity: Similarity,
+    protocol: ValidationProtocol,
+    radius: float,
+    joints: ObjectJoints,
 ) -> mjcf.RootElement:
     root = mjcf.RootElement(model="validation")
     _set_options(root, protocol)
     body = root.worldbody.add("body", name=OBJECT)
-    body.add("freejoint")
+    joints.add_to(body)
     inertia = protocol.object_mass * protocol.reach**2
     body.add("inertial", pos=np.zeros(3), mass=protocol.object_mass, diaginertia=np.full(3, inertia))
     geoms = [add_part(body, _part_name(index), part, similarity) for index, part in enumerate(parts)]

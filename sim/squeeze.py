@@ -2,8 +2,9 @@
 
 The fingers push with the constant preload that the prediction chose (planner/forces/squeeze.py) and yield like
 springs; nothing adapts and nothing is capped. Scaling that preload by c scales the allowed force c s with it, s the
-predicted squeeze_force. A scale holds a wrench when no finger slides, none loses the object and none feels more than
-its share c s. The theory says: every wrench above c = 1, not all of them below. Bisecting c measures the need.
+predicted squeeze_force. A scale holds a wrench when no finger slides, none loses the object, none feels more than
+its share c s and the object stays where it was but for the springs. The theory says: every wrench above c = 1, not
+all of them below. Bisecting c measures the need.
 
 Slip here is the onset at one finger. The others would often catch the object, each at a force nobody planned.
 """
@@ -26,10 +27,11 @@ from sim.trial import Trial, run
 SQUEEZE = replace(
     ACTIVE,
     name="rhograsp.squeeze/1",
-    stiffness=3e4,  # the theory's twists are small: at 100 N/m the object moves by a tenth of R0
+    stiffness=3e4,  # the theory's twists are small: at 100 N/m Case III moves by 3 % of R0, here by 1e-4
     tip_mass=1.0,  # so that this spring swings in 36 ms, well resolved by the time step, well below the ramp
     object_mass=0.3,
-    slip_tolerance=5e-5,  # a stiff finger that slides gives way by little; seen 3e-6 above the need
+    slip_tolerance=1e-5,  # a stiff finger that slides gives way by little: seen 2e-5 below the need, 1e-6 above
+    motion_tolerance=1e-2,  # springs give way; beyond this the twists are not small
     hold_time=0.15,  # nothing adapts, so nothing more happens
 )
 """Forces do not adapt: a constant preload and stiff springs, stiff so that the grasp keeps its shape."""
@@ -40,9 +42,8 @@ SPAN = 0.1
 """The bisection starts from a band of this half width about the prediction."""
 HALVINGS = 6
 """They narrow the band to 0.3 % of the prediction."""
-
 AGREEMENT = 0.01
-"""Prediction and measurement agree when they differ by less than this part: seen 0.006 on eleven grasps."""
+"""Prediction and measurement agree when they differ by less than this part: seen 0.0063 at most on 23 grasps."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -152,5 +153,6 @@ def _slipped(
     slips = np.where(judged, outcome.slips, 0.0).max(axis=1)
     lost = (judged & (outcome.measured_forces == 0)).any(axis=1)
     overloaded = (outcome.measured_forces > (1 + FORCE_TOLERANCE) * scale).any(axis=1)
-    failed = (slips >= protocol.slip_tolerance) | lost | overloaded
+    moved = np.maximum(outcome.translations, outcome.rotations) >= protocol.motion_tolerance
+    failed = (slips >= protocol.slip_tolerance) | lost | overloaded | moved
     return rows[failed], int(rows[slips.argmax()]) if failed.any() else None

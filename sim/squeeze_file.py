@@ -7,7 +7,7 @@ import msgspec
 from planner.atomic_write import write_atomically
 from planner.objects.rigid_object import RigidObject
 from sim.protocol import ValidationProtocol
-from sim.squeeze import SqueezeForce
+from sim.squeeze import AGREEMENT, FORCE_TOLERANCE, SqueezeForce
 from sim.validation_file import ObjectRecord
 
 FORMAT, FORMAT_VERSION = "rhograsp.squeeze", 1
@@ -35,6 +35,10 @@ class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Least force with which every wrench held [N]; null if none was seen to."""
     critical_wrench: int | None
     """The wrench that slipped most at measured_lower."""
+    force_tolerance: float
+    """A held finger feels no more than its share when it exceeds it by less than this part."""
+    agreement: float
+    """Prediction and measurement agree when they differ by less than this part."""
     protocol: ValidationProtocol
     """Name, settings and thresholds."""
     versions: dict[str, str]
@@ -56,6 +60,8 @@ def to_document(squeeze: SqueezeForce, rigid_object: RigidObject, rho: float, gr
         measured_lower=squeeze.lower,
         measured_upper=squeeze.upper if squeeze.upper < float("inf") else None,
         critical_wrench=squeeze.critical_wrench,
+        force_tolerance=FORCE_TOLERANCE,
+        agreement=AGREEMENT,
         protocol=squeeze.protocol,
         versions=squeeze.versions,
     )

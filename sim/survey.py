@@ -14,6 +14,8 @@ from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
+from planner.plan import plan
+from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
 from sim.experiment import Experiment, set_up
 from sim.prediction import predicted_caps
@@ -21,6 +23,8 @@ from sim.protocol import ACTIVE, ValidationProtocol
 
 CANDIDATES = "60"
 """Random grasps choose among so many evenly spread contacts."""
+GAP, TIME_LIMIT = 0.05, 10.0
+"""The planner's gap and its seconds per grasp [s]: a good grasp is wanted, not a proof."""
 FINGERS = (3, 4, 5)
 FRICTION = (0.3, 1.0)
 """Range of the friction coefficient of a random grasp."""
@@ -88,6 +92,29 @@ def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: s
     return [_drawn(objects[which], tasks[which], candidates[which], fingers, rng) for which, fingers in turns]
 
 
+def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed: int) -> FeasibleGrasp:
+    """A grasp as the planner chooses it, against gravity.
+
+    Args:
+        rigid_object: What is grasped.
+        fingers: Number of fingers.
+        friction: Coulomb coefficient.
+        seed: Of candidates and search.
+
+    Raises:
+        SimulationError: When the planner finds none.
+    """
+    task = make_task("gravity", rigid_object)
+    search = CertifiedSearch(gap=GAP, time_limit=TIME_LIMIT, seed=seed)
+    grasp = plan(rigid_object, task, make_candidates(rigid_object, CANDIDATES, friction, seed), fingers, search)
+    if not grasp.found:
+        raise SimulationError(
+            f"no grasp of {rigid_object.file.name} with {fingers} fingers and friction {friction:g} was found "
+            f"({grasp.status}); allow more fingers or friction"
+        )
+    return FeasibleGrasp(rigid_object=rigid_object, task=task, contacts=grasp.contacts, phi=grasp.phi)
+
+
 def _drawn(
     rigid_object: RigidObject, task: Task, candidates: Contacts, fingers: int, rng: np.random.Generator
 ) -> FeasibleGrasp:
@@ -102,7 +129,7 @@ def _drawn(
         if np.isfinite(phi).all() and not grasp.experiment(ACTIVE).static.reasons():
             return grasp
     raise SimulationError(
-        f"no feasible grasp of {rigid_object.mjcf.name} with {fingers} fingers among {MOST_DRAWS} random ones"
+        f"no feasible grasp of {rigid_object.file.name} with {fingers} fingers among {MOST_DRAWS} random ones"
     )
 
 

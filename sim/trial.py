@@ -12,14 +12,7 @@ from mujoco import batch
 from planner.errors import SimulationError
 from sim.force_law import finger_forces
 from sim.protocol import ValidationProtocol
-from sim.scene import (
-    OBJECT_POSITION,
-    OBJECT_QUATERNION,
-    SENSOR_WIDTH,
-    TIP_POSITIONS,
-    TIP_VELOCITIES,
-    Scene,
-)
+from sim.scene import SENSOR_WIDTH, Scene
 from sim.schedule import fractions
 
 LOOK_EVERY = 10
@@ -81,9 +74,7 @@ def run(scene: Scene, trial: Trial, protocol: ValidationProtocol) -> FinalState:
         SimulationError: When MuJoCo stops a simulation.
     """
     growth = trial.forces - trial.preloads
-    loads = (
-        (load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol)
-    )
+    loads = ((load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol))
     return step_through(scene, loads, trial.caps, protocol)
 
 
@@ -102,19 +93,20 @@ def step_through(
     Raises:
         SimulationError: When MuJoCo stops a simulation.
     """
-    simulations, fingers = len(caps), len(scene.contacts)
+    simulations, fingers, joints = len(caps), len(scene.contacts), scene.joints
     batched = batch.Batch(scene.model, simulations)
     positions, velocities = batched.bind("qpos"), batched.bind("qvel")
-    joint_forces = batched.bind("qfrc_applied")[:, TIP_VELOCITIES]
+    joint_forces = batched.bind("qfrc_applied")[:, joints.velocities :]
     external = batched.bind("xfrc_applied")[:, scene.object_body]
     sensors = batched.bind("sensordata").reshape(simulations, fingers, SENSOR_WIDTH)
-    displacements = positions[:, TIP_POSITIONS].reshape(simulations, fingers, 3)
-    rates = velocities[:, TIP_VELOCITIES].reshape(simulations, fingers, 3)
+    displacements = positions[:, joints.positions :].reshape(simulations, fingers, 3)
+    rates = velocities[:, joints.velocities :].reshape(simulations, fingers, 3)
 
     def state() -> FinalState:
+        object_positions, object_quaternions = joints.pose(positions)
         return FinalState(
-            object_positions=positions[:, OBJECT_POSITION].copy(),
-            object_quaternions=positions[:, OBJECT_QUATERNION].copy(),
+            object_positions=object_positions,
+            object_quaternions=object_quaternions,
             tip_displacements=displacements.copy(),
             touching=sensors[:, :, 0] > 0,
             contact_forces=sensors[:, :, 1:].copy(),

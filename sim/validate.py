@@ -1,9 +1,11 @@
 """One verb: measure in MuJoCo whether a grasp's rho is true.
 
-With the cap slightly above rho every wrench must be held; with the cap slightly below it the critical
-wrench must slip. The second is the negative control: a test that cannot fail would prove nothing.
+With the cap slightly above rho every wrench must be held. Beside the verdict stand the controls (sim/controls.py):
+with the cap slightly below rho, with less friction or with another contact the experiment must fail where theory
+says, and without load it must not creep.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.metadata import version
 
@@ -13,22 +15,27 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
-from sim.experiment import check_wrenches, set_up
+from sim.beyond import Beyond, measure_beyond
+from sim.control import Control
+from sim.controls import cap_control, creep_control, displacement_control, friction_control
+from sim.critical_force import CriticalForce, bisect_caps, check_predictions
+from sim.experiment import Experiment, check_wrenches, set_up
+from sim.force_agreement import ForceAgreement, force_agreement
 from sim.measurement import Measurement
 from sim.protocol import ACTIVE, ValidationProtocol
 from sim.static_check import StaticCheck
-from sim.verdict import objections
+from sim.verdict import Verdict, judge, unheld
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Validation:
     """Verdict, evidence and the settings under which it was gathered."""
 
-    verdict: bool
-    """Whether rho is confirmed."""
+    verdict: Verdict
+    """Whether rho is confirmed, refuted, or the experiment not to be trusted."""
 
     reasons: tuple[str, ...]
-    """Why not, one sentence each; empty when confirmed."""
+    """Why rho is not confirmed, one sentence each; empty when it is."""
 
     rigid_object: RigidObject
     """What was held."""
@@ -54,8 +61,17 @@ class Validation:
     vertices: Measurement | None
     """Every wrench with the cap above rho, in order."""
 
-    control: Measurement | None
-    """The critical wrench with the cap below rho; must slip."""
+    forces: ForceAgreement | None
+    """Predicted against measured forces of `vertices`."""
+
+    controls: tuple[Control, ...]
+    """What shows that the experiment can be believed; empty if nothing was simulated."""
+
+    critical_force: CriticalForce | None
+    """Measured cap of every wrench, if asked for."""
+
+    beyond: Beyond | None
+    """Loads other than the vertices, if asked for."""
 
     protocol: ValidationProtocol
 
@@ -73,8 +89,12 @@ def validate(
     phi: np.ndarray,
     protocol: ValidationProtocol = ACTIVE,
     simulated_friction: np.ndarray | None = None,
+    *,
+    measure: bool = False,
+    thorough: bool = False,
+    observe: Callable[[str], None] = lambda _: None,
 ) -> Validation:
-    """Measure whether the grasp holds every wrench just above rho and loses the critical one just below.
+    """Measure whether the grasp holds every wrench just above rho, in an experiment whose controls behave.
 
     Args:
         rigid_object: What the fingers hold.
@@ -86,6 +106,9 @@ def validate(
         phi: Predicted cap of every wrench, shape (wrenches,) [N].
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        measure: Bisect the cap of every wrench too.
+        thorough: Load the grasp with more than the vertices too.
+        observe: Called with a line of progress now and then.
 
     Raises:
         SimulationError: When the experiment cannot be built or run as described.
@@ -93,19 +116,35 @@ def validate(
     check_wrenches(wrenches, phi)
     if not 0 <= critical_wrench < len(wrenches):
         raise SimulationError(f"critical wrench {critical_wrench} is not an index of {len(wrenches)} wrenches")
+    if measure:
+        check_predictions(phi)
     friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
     experiment = set_up(rigid_object, contacts, reference_point, rho, friction, protocol)
-    vertices = control = None
-    reasons = experiment.static.reasons()
-    if not reasons:
-        loads = np.vstack([wrenches, wrenches[critical_wrench]])
-        caps = np.append(np.full(len(wrenches), protocol.hold_factor), protocol.control_factor)
-        outcome = experiment.measure(loads, caps)
-        vertices, control = outcome.rows(slice(0, -1)), outcome.rows(slice(-1, None))
-        reasons = objections(vertices, control, critical_wrench, protocol)
+    objections: tuple[str, ...] = experiment.static.reasons()
+    doubts: tuple[str, ...] = ()
+    vertices = critical_force = beyond = None
+    controls: tuple[Control, ...] = ()
+    if not objections:
+        observe(f"holding {len(wrenches)} wrenches")
+        trial = experiment.adaptive(wrenches, np.full(len(wrenches), protocol.hold_factor))
+        vertices = experiment.perform(trial)
+        observe("controls")
+        controls = (
+            *_simple_controls(experiment, wrenches, critical_wrench, phi),
+            friction_control(experiment, trial, reference_point, wrenches),
+            displacement_control(rigid_object, contacts, reference_point, wrenches, critical_wrench, protocol),
+        )
+        objections = unheld(vertices, protocol)
+        doubts = tuple(doubt for control in controls if (doubt := control.doubt()))
+        if measure:
+            critical_force = bisect_caps(experiment, wrenches, phi, observe)
+        if thorough:
+            observe("loads beyond the vertices")
+            beyond = measure_beyond(experiment, wrenches, critical_wrench)
+            objections, doubts = objections + beyond.objections(), doubts + beyond.doubts()
     return Validation(
-        verdict=not reasons,
-        reasons=reasons,
+        verdict=judge(objections, doubts),
+        reasons=objections + doubts,
         rigid_object=rigid_object,
         rho=float(rho),
         critical_wrench=int(critical_wrench),
@@ -114,11 +153,27 @@ def validate(
         simulated_friction=friction,
         static=experiment.static,
         vertices=vertices,
-        control=control,
+        forces=force_agreement(vertices, friction) if vertices else None,
+        controls=controls,
+        critical_force=critical_force,
+        beyond=beyond,
         protocol=protocol,
         versions={
             "mujoco": mujoco.__version__,
             "numpy": np.__version__,
             "dm-control": version("dm-control"),
         },
+    )
+
+
+def _simple_controls(
+    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray
+) -> tuple[Control, Control]:
+    """Less cap and no load: two more simulations of the same experiment."""
+    protocol = experiment.protocol
+    loads = np.vstack([wrenches[critical_wrench], np.zeros(6)])
+    outcome = experiment.measure(loads, np.array([protocol.control_factor, protocol.hold_factor]))
+    return (
+        cap_control(outcome.rows(slice(0, 1)), critical_wrench, float(phi[critical_wrench]), protocol),
+        creep_control(outcome.rows(slice(1, 2)), protocol),
     )

@@ -2,7 +2,8 @@
 
 The fingers push with an internal force that leans on friction as little as possible, its largest finger at the named
 squeeze, and yield like springs; they know nothing of the tugs. This is a squeeze with room to slip, not a measurement
-of rho: it has a pass or a fail and no force to compare.
+of rho: it has a pass or a fail and no force to compare. More is not always better: a squeeze comparable to K R0, the
+stiffness times the reach of the contacts, can turn the object between its springs.
 """
 
 from dataclasses import dataclass
@@ -19,7 +20,7 @@ from sim.benches.settings import BenchSettings
 from sim.benches.world import build_world
 from sim.feed_forward import FeedForward
 from sim.force_law import finger_forces
-from sim.scene import OBJECT_POSITION, OBJECT_QUATERNION, SENSOR_WIDTH, TIP_POSITIONS, TIP_VELOCITIES, Scene
+from sim.scene import SENSOR_WIDTH, Scene
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -94,21 +95,20 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
     )
 
 
-def _simulate(
-    scene: Scene, preload: np.ndarray, settings: BenchSettings
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _simulate(scene: Scene, preload: np.ndarray, settings: BenchSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Largest translations and rotations at any look, and who touches at the end."""
     tugs = settings.object_mass * settings.tug_acceleration * np.array(settings.tugs, dtype=float)
     simulations, count = tugs.shape[:2]
     batched = batch.Batch(scene.model, simulations)
     positions, velocities = batched.bind("qpos"), batched.bind("qvel")
-    joint_forces = batched.bind("qfrc_applied")[:, TIP_VELOCITIES]
+    joint_forces = batched.bind("qfrc_applied")[:, scene.joints.velocities :]
     external = batched.bind("xfrc_applied")[:, scene.object_body, :3]
     sensors = batched.bind("sensordata")
-    displacements = positions[:, TIP_POSITIONS].reshape(simulations, *preload.shape)
-    rates = velocities[:, TIP_VELOCITIES].reshape(simulations, *preload.shape)
+    displacements = positions[:, scene.joints.positions :].reshape(simulations, *preload.shape)
+    rates = velocities[:, scene.joints.velocities :].reshape(simulations, *preload.shape)
     squeezing, tugging, look = (
-        round(seconds / settings.timestep) for seconds in (settings.squeeze_time, settings.tug_time, settings.check_interval)
+        round(seconds / settings.timestep)
+        for seconds in (settings.squeeze_time, settings.tug_time, settings.check_interval)
     )
     translations, rotations = np.zeros(simulations), np.zeros(simulations)
     last = squeezing + count * tugging
@@ -121,8 +121,9 @@ def _simulate(
                 external[:] = tugs[:, (step - squeezing - 1) // tugging]
             batched.step()
             if step > squeezing and ((step - squeezing) % look == 0 or step == last):
-                translations = np.maximum(translations, np.linalg.norm(positions[:, OBJECT_POSITION], axis=1))
-                rotations = np.maximum(rotations, _angles(positions[:, OBJECT_QUATERNION]))
+                object_positions, object_quaternions = scene.joints.pose(positions)
+                translations = np.maximum(translations, np.linalg.norm(object_positions, axis=1))
+                rotations = np.maximum(rotations, _angles(object_quaternions))
     except batch.SimulationError as error:
         raise SimulationError(f"MuJoCo stopped {settings.name}: {error}") from error
     if not np.isfinite(positions).all():

@@ -65,9 +65,7 @@ def _compiled(rigid_object: RigidObject, contacts: Contacts, settings: BenchSett
     )
 
 
-def _compose(
-    rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float
-) -> mjcf.RootElement:
+def _compose(rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float) -> mjcf.RootElement:
     root = mjcf.RootElement(model="bench")
     for option in ("timestep", "integrator", "cone", "jacobian", "solver", "iterations", "tolerance", "impratio"):
         setattr(root.option, option, getattr(settings, option))
@@ -101,9 +99,7 @@ def _add_fingertip(
     body = root.worldbody.add("body", pos=center)
     for axis in np.eye(3):
         body.add("joint", type="slide", axis=axis)
-    tip = body.add(
-        "geom", name=name, type="sphere", size=[radius], mass=settings.tip_mass, contype=0, conaffinity=0
-    )
+    tip = body.add("geom", name=name, type="sphere", size=[radius], mass=settings.tip_mass, contype=0, conaffinity=0)
     for geom in geoms:
         root.contact.add(
             "pair",

@@ -1,7 +1,9 @@
 """`grasp-validate`: is a grasp file true in MuJoCo?"""
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
+from time import perf_counter
 from typing import Annotated
 
 import tyro
@@ -13,8 +15,9 @@ from planner.commands.terminal import ExitCode, parse, run
 class Options:
     """Put fingertips on the planned contacts in MuJoCo, push with every wrench of the task, and see what slips.
 
-    The verdict is pass when every wrench is held with the finger force capped at 1.02 rho, and the critical wrench
-    slips with the cap at 0.98 rho.
+    The verdict is pass when every wrench is held with the finger force capped at 1.02 rho, fail when one is not. It is
+    "not trustworthy" when a control did not behave: the critical wrench must slip at 0.98 rho, less friction and
+    another contact must change the outcome as predicted, and nothing may creep without load.
     """
 
     file: tyro.conf.Positional[Path]
@@ -24,7 +27,16 @@ class Options:
     """The result to write; by default NAME.validation.json in the current folder."""
 
     object: Path | None = None
-    """Where the object's MJCF file is now, if it has moved."""
+    """Where the object's file is now, if it has moved."""
+
+    strict: bool = False
+    """Hold at 1.005 rho and slip at 0.995 rho instead of 1.02 and 0.98."""
+
+    measure: bool = False
+    """Measure rho too: bisect the force cap of every wrench and compare it with the prediction."""
+
+    thorough: bool = False
+    """Measure, and load the grasp with random wrenches inside, on and outside W_R and with turning loads."""
 
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
     """Print nothing but errors."""
@@ -36,7 +48,9 @@ def validate_command(options: Options) -> ExitCode:
     from planner.errors import GraspFileError
     from planner.grasp_file import SUFFIX, read_grasp
     from planner.grasped_object import read_grasped_object
+    from planner.lift import in_space
     from sim.commands.validation_report import summary
+    from sim.protocol import ACTIVE, STRICT
     from sim.validate import validate
     from sim.validation_file import write_validation
 
@@ -45,20 +59,46 @@ def validate_command(options: Options) -> ExitCode:
     grasp = read_grasp(options.file)
     if not grasp.found:
         raise GraspFileError(f"{options.file} holds no grasp (status {grasp.status}): there is nothing to validate")
+    rigid_object, grasp = in_space(read_grasped_object(grasp, options.object), grasp)
     validation = validate(
-        read_grasped_object(grasp, options.object),
+        rigid_object,
         grasp.contacts,
         grasp.task.reference_point,
         grasp.task.wrenches,
         grasp.rho,
         grasp.critical_wrench,
         grasp.phi,
+        STRICT if options.strict else ACTIVE,
+        measure=options.measure or options.thorough,
+        thorough=options.thorough,
+        observe=_ignore if options.quiet else Progress(),
     )
     write_validation(out, validation, grasp=options.file.name)
     if not options.quiet:
         print("\n".join(summary(validation)))
         print(f"wrote       {out}")
     return ExitCode.DONE if validation.verdict else ExitCode.FAILED
+
+
+class Progress:
+    """Says on standard error what is going on, once it takes longer than a user likes to wait in silence."""
+
+    PATIENCE = 2.0
+    """Seconds of silence, and between two lines [s]."""
+
+    def __init__(self) -> None:
+        self._last = perf_counter()
+
+    def __call__(self, line: str) -> None:
+        """Say the line unless the last was said just now."""
+        now = perf_counter()
+        if now - self._last >= self.PATIENCE:
+            self._last = now
+            print(f"… {line}", file=sys.stderr, flush=True)
+
+
+def _ignore(_: str) -> None:
+    """Say nothing."""
 
 
 def main() -> None:

@@ -2,38 +2,69 @@
 
 import numpy as np
 
+from sim.beyond import Beyond
+from sim.critical_force import CriticalForce
+from sim.force_agreement import ForceAgreement
 from sim.measurement import Measurement
 from sim.validate import Validation
+
+TABLE_ROWS = 3
+"""Wrenches shown at either end of the table of measured caps."""
 
 
 def summary(validation: Validation) -> list[str]:
     """The verdict and its evidence, line by line."""
     lines = []
     protocol = validation.protocol
-    if validation.vertices is not None:
-        lines += _held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance)
-        lines.append(_forces(validation.vertices))
-    if validation.control is not None:
-        held = "held" if validation.control.held[0] else "slipped"
-        lines.append(
-            f"control     cap {protocol.control_factor:g} rho = {validation.control.caps[0]:.5g} N: "
-            f"critical wrench {validation.critical_wrench} {held}, slip {validation.control.slip[0]:.2g} R0"
-        )
-    lines.append(f"verdict     {'PASS' if validation.verdict else 'FAIL'} ({protocol.name})")
+    if validation.vertices is not None and validation.forces is not None:
+        lines.append(_held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance))
+        lines += _forces(validation.forces)
+    lines += [f"control     {control.change}: {control.outcome()}" for control in validation.controls]
+    if validation.critical_force is not None:
+        lines += _measured(validation.critical_force)
+    if validation.beyond is not None:
+        lines += _beyond(validation.beyond)
+    lines.append(f"verdict     {validation.verdict.upper()} ({protocol.name})")
     return lines + [f"because     {reason}" for reason in validation.reasons]
 
 
-def _held(vertices: Measurement, factor: float, tolerance: float) -> list[str]:
+def _held(vertices: Measurement, factor: float, tolerance: float) -> str:
     worst = int(np.argmax(vertices.slip))
-    return [
+    return (
         f"hold        cap {factor:g} rho = {vertices.caps[0]:.5g} N: {vertices.held.sum()} of {len(vertices.held)} "
         f"wrenches held; largest slip {vertices.slip[worst]:.2g} R0 (wrench {worst}; a hold is under {tolerance:g})"
+    )
+
+
+def _forces(forces: ForceAgreement) -> tuple[str, str]:
+    return (
+        f"forces      measured differ from predicted by at most {forces.largest:.2%} of the cap (wrench "
+        f"{forces.wrench}, finger {forces.finger}), typically {forces.typical:.3%}",
+        f"friction    utilisation differs by at most {forces.largest_utilisation:.2%} of the coefficient, typically "
+        f"{forces.typical_utilisation:.3%}; the highest is {forces.highest_utilisation:.1%}",
+    )
+
+
+def _measured(critical: CriticalForce) -> list[str]:
+    lower, upper = critical.rho
+    order = np.argsort(critical.ratios, kind="stable")
+    shown = order if len(order) <= 2 * TABLE_ROWS else np.concatenate([order[:TABLE_ROWS], order[-TABLE_ROWS:]])
+    return [
+        f"measured    rho is between {lower:.5g} and {upper:.5g} N; predicted {critical.phi.max():.5g} N; "
+        f"ratio {critical.ratio:.4f} (critical wrench {critical.critical_wrench})",
+        f"            wrenches: ratios from {critical.ratios.min():.4f} to {critical.ratios.max():.4f}",
+        f"            {'wrench':>7} {'predicted':>11} {'slipped at':>11} {'held at':>11} {'ratio':>7}",
+        *(
+            f"            {wrench:7d} {critical.phi[wrench]:11.5g} {critical.lower[wrench]:11.5g} "
+            f"{critical.upper[wrench]:11.5g} {critical.ratios[wrench]:7.4f}"
+            for wrench in shown
+        ),
     ]
 
 
-def _forces(vertices: Measurement) -> str:
-    difference = np.abs(vertices.measured_forces - vertices.predicted_forces) / vertices.caps[:, None]
-    return (
-        f"forces      measured differ from predicted by at most {difference.max():.2%} of the cap, "
-        f"typically {np.median(difference):.2%}"
-    )
+def _beyond(beyond: Beyond) -> list[str]:
+    return [
+        f"beyond      {kind}: {outcome.held.sum()} of {len(outcome.held)} held, "
+        f"{'all' if must_hold else 'none'} must; largest slip {outcome.slip.max():.2g} R0"
+        for kind, outcome, must_hold in beyond.kinds()
+    ]

@@ -1,11 +1,14 @@
 """Physics that a pencil can check: no planner and no convex programme takes part."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from planner.contacts import Contacts
 from sim.measurement import Measurement, measure
-from sim.protocol import ACTIVE
+from sim.object_joints import FreeJoint
+from sim.protocol import ACTIVE, ValidationProtocol
 from sim.scene import build_scene
 from sim.similarity import similarity
 from sim.trial import Trial, run
@@ -14,18 +17,18 @@ from tests.sim.planned import box
 FRICTION, PRESS = 0.4, 1.0
 
 
-def squeezed_box(weights: np.ndarray, friction: np.ndarray) -> Measurement:
+def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: ValidationProtocol = ACTIVE) -> Measurement:
     """Two fingers press the sides of a box with PRESS and lift half of each weight, one simulation per weight."""
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
     units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
-    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE, ACTIVE.tip_radii[0])
+    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint())
     down = np.zeros((len(weights), 6))
     down[:, 2] = -weights
     press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)
     lift = 0.5 * weights[:, None, None] * np.array([0, 0, 1.0])
     trial = Trial(wrenches=down, caps=np.full(len(weights), 10.0), preloads=press, forces=press + lift)
-    return measure(scene, trial, run(scene, trial, ACTIVE), 1.0, ACTIVE)
+    return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
 
 
 def test_two_opposed_fingers_hold_a_weight_up_to_twice_friction_times_press() -> None:
@@ -47,10 +50,28 @@ def test_the_finger_with_less_friction_is_the_one_that_slips() -> None:
 
 
 def test_a_box_that_nothing_holds_falls_as_newton_says() -> None:
-    outcome = squeezed_box(np.array([0.0, 30.0]), np.full(2, 1e-4))
+    to_the_end = replace(ACTIVE, gone=np.inf)
+    outcome = squeezed_box(np.array([0.0, 30.0]), np.full(2, 1e-4), to_the_end)
     fall_time = ACTIVE.hold_time
     assert outcome.held[0] and not outcome.held[1]
     assert outcome.translations[1] * ACTIVE.reach > 0.5 * (30.0 / ACTIVE.object_mass) * fall_time**2
+
+
+def test_an_object_that_is_gone_is_left_and_stays_lost() -> None:
+    left, followed = (
+        squeezed_box(np.array([30.0]), np.full(2, FRICTION), replace(ACTIVE, gone=gone)) for gone in (3.0, np.inf)
+    )
+    assert not left.held[0] and not followed.held[0]
+    assert 3 * ACTIVE.motion_tolerance < left.translations[0] < 0.01 * followed.translations[0]
+
+
+def test_the_largest_weight_two_fingers_hold_is_measured_within_half_a_percent() -> None:
+    held, slipped = 0.8, 1.2  # weights relative to 2 mu N
+    for _ in range(7):
+        middle = (held + slipped) / 2
+        holds = squeezed_box(np.array([middle * 2 * FRICTION * PRESS]), np.full(2, FRICTION)).held[0]
+        held, slipped = (middle, slipped) if holds else (held, middle)
+    assert 0.995 < held < slipped < 1.005
 
 
 @pytest.mark.parametrize("count", [1, 3])

@@ -9,8 +9,9 @@ import pytest
 from planner.contacts import Contacts
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
+from sim.object_joints import FreeJoint
 from sim.protocol import ACTIVE
-from sim.scene import TIP_POSITIONS, Scene, build_scene
+from sim.scene import Scene, build_scene
 from sim.similarity import Similarity, similarity
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
@@ -59,7 +60,7 @@ def gap(scene: Scene, center: np.ndarray) -> float:
     data = mujoco.MjData(scene.model)
     tip = scene.tip_geoms[0]
     mujoco.mj_forward(scene.model, data)
-    data.qpos[TIP_POSITIONS][:3] = center - data.geom_xpos[tip]
+    data.qpos[scene.joints.positions :][:3] = center - data.geom_xpos[tip]
     mujoco.mj_forward(scene.model, data)
     return min(mujoco.mj_geomDistance(scene.model, data, tip, part, 1.0, None) for part in scene.object_geoms)
 
@@ -83,7 +84,7 @@ def scene_of(rigid_object: RigidObject) -> tuple[Scene, Similarity]:
     points = rigid_object.center_of_mass + rigid_object.size * np.array([(-3.0, 0, 0), (3.0, 0, 0)])
     contacts = Contacts(points=points, normals=np.array([(1.0, 0, 0), (-1.0, 0, 0)]), friction=np.full(2, 0.5))
     units = similarity(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
-    return build_scene(rigid_object.parts, contacts, units, ACTIVE, ACTIVE.tip_radii[0]), units
+    return build_scene(rigid_object.parts, contacts, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint()), units
 
 
 def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:

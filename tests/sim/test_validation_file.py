@@ -11,6 +11,7 @@ from planner.errors import OutputError
 from sim.protocol import ACTIVE
 from sim.validate import Validation
 from sim.validation_file import FORMAT, ValidationDocument, to_document, write_validation
+from sim.verdict import Verdict
 from tests.sim.planned import prism
 
 
@@ -26,8 +27,10 @@ def test_what_is_written_is_read_back_equal(tmp_path: Path) -> None:
     document = msgspec.json.decode(path.read_bytes(), type=ValidationDocument)
     assert document == to_document(refuted(), grasp="prism.grasp.json")
     assert (document.format, document.format_version) == (FORMAT, 1)
-    assert not document.verdict and document.reasons
-    assert len(document.vertices) == 64 and len(document.controls) == 1
+    assert document.verdict is Verdict.FAIL and document.reasons
+    assert len(document.vertices) == 64
+    assert [control.name for control in document.controls] == ["cap", "creep", "friction", "displaced contact"]
+    assert document.critical_force is None and document.beyond == ()
     assert [path] == list(tmp_path.iterdir())
 
 

@@ -1,0 +1,70 @@
+"""What a validation costs, measured in one run: a table, a plot and a CSV file in a folder.
+
+python scripts/benchmark_validation.py --out benchmark            # some minutes on two cores
+python scripts/benchmark_validation.py --out benchmark --quick    # seconds, on few sizes
+"""
+
+import sys
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from planner.commands.terminal import ExitCode, parse, run
+
+WRENCHES, FINGERS = (16, 64, 256, 1024, 4096), (3, 4, 5, 6, 7, 8)
+QUICK_WRENCHES, QUICK_FINGERS = (8, 16), (3, 4)
+BISECTED = 64
+"""Up to so many wrenches the full measurement is timed too."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """Time the stages of a validation for growing numbers of wrenches and fingers."""
+
+    out: Path = Path("benchmark")
+    """Folder for `costs.csv` and `costs.png`; made if missing."""
+
+    quick: bool = False
+    """Few and small sizes."""
+
+
+def benchmark(options: Options) -> ExitCode:
+    """Measure, print, write."""
+    from planner.atomic_write import write_atomically  # here: the help must not wait for MuJoCo
+    from planner.exports.figures import new_figure
+    from sim.cost import Cost, measure_cost
+    from sim.plots import plot_cost
+    from sim.tables import make_folder, to_csv
+
+    make_folder(options.out)
+    new_figure(1, 1)  # without Matplotlib, say so before the work and not after
+    sizes = QUICK_WRENCHES if options.quick else WRENCHES
+    fingers = QUICK_FINGERS if options.quick else FINGERS
+    middle = sizes[-1] if options.quick else 64
+    print(f"{'fingers':>8} {'wrenches':>9} {'set up':>8} {'forces':>8} {'stepping':>9} {'measure':>8} {'ratio':>7}")
+
+    def measured(count: int, wrenches: int) -> Cost:
+        cost = measure_cost(count, wrenches, bisect=wrenches <= BISECTED)
+        print(
+            f"{cost.fingers:8d} {cost.wrenches:9d} {cost.set_up:7.3f}s {cost.forces:7.3f}s {cost.stepping:8.3f}s "
+            f"{cost.measuring:7.2f}s {cost.ratio:7.4f}",
+            flush=True,
+        )
+        return cost
+
+    measured(fingers[0], sizes[0])  # the first run pays for imports and caches
+    by_wrenches = [measured(4, size) for size in sizes]
+    by_fingers = [measured(count, middle) for count in fingers]
+    write_atomically(options.out / "costs.csv", to_csv([asdict(cost) for cost in by_wrenches + by_fingers]))
+    plot_cost(options.out / "costs.png", by_wrenches, by_fingers)
+    print(f"wrote {options.out / 'costs.csv'} and costs.png", file=sys.stderr)
+    return ExitCode.DONE
+
+
+def main() -> None:
+    """Entry point."""
+    options = parse(Options, "benchmark_validation")
+    run(lambda: benchmark(options))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,165 @@
+"""The four controls of a validation: less cap, no load, less friction, another contact."""
+
+import numpy as np
+
+from planner.contacts import Contacts
+from planner.objects.rigid_object import RigidObject
+from sim.control import Control
+from sim.displacement import DisplacedGrasp, displaced_grasps
+from sim.experiment import Experiment, set_up
+from sim.measurement import Measurement
+from sim.prediction import predicted_caps
+from sim.protocol import ValidationProtocol
+from sim.trial import Trial
+
+
+def cap_control(outcome: Measurement, critical_wrench: int, phi: float, protocol: ValidationProtocol) -> Control:
+    """The critical wrench with the cap below rho must slip.
+
+    Args:
+        outcome: That simulation alone.
+        critical_wrench: Its index among the vertices.
+        phi: Its predicted cap [N].
+        protocol: Settings.
+    """
+    return Control(
+        name="cap",
+        change=f"critical wrench {critical_wrench} with the cap at {protocol.control_factor:g} rho",
+        wrenches=np.array([critical_wrench]),
+        phi=np.array([phi]),
+        caps=outcome.caps,
+        slips=outcome.slip,
+        held=outcome.held,
+        expected=np.array([False]),
+        counted=np.array([True]),
+    )
+
+
+def creep_control(outcome: Measurement, protocol: ValidationProtocol) -> Control:
+    """Fingers that only squeeze must not creep.
+
+    Args:
+        outcome: A simulation without load, alone.
+        protocol: Settings.
+    """
+    return Control(
+        name="creep",
+        change=f"no load; the slip must stay below {protocol.creep_tolerance:g} R0",
+        wrenches=np.array([-1]),
+        phi=np.zeros(1),
+        caps=outcome.caps,
+        slips=outcome.slip,
+        held=outcome.held & (outcome.slip < protocol.creep_tolerance),
+        expected=np.array([True]),
+        counted=np.array([True]),
+    )
+
+
+def friction_control(
+    experiment: Experiment, trial: Trial, reference_point: np.ndarray, wrenches: np.ndarray
+) -> Control:
+    """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
+
+    The fingers do the same as before: their forces do not know the friction.
+
+    Args:
+        experiment: With the planned contacts.
+        trial: Every wrench at the cap of the verdict.
+        reference_point: p_o, shape (3,) [m].
+        wrenches: The same wrenches, shape (wrenches, 6) [N, N m].
+
+    Raises:
+        SimulationError: When MuJoCo stops or loses a simulation.
+    """
+    protocol, contacts = experiment.protocol, experiment.contacts
+    friction = protocol.friction_factor * contacts.friction
+    slippery = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
+    phi = predicted_caps(slippery, reference_point, wrenches)
+    outcome = experiment.with_friction(friction).perform(trial)
+    return Control(
+        name="friction",
+        change=f"friction at {protocol.friction_factor:g} of the planned, cap at {protocol.hold_factor:g} rho",
+        wrenches=np.arange(len(wrenches)),
+        phi=phi,
+        caps=outcome.caps,
+        slips=outcome.slip,
+        held=outcome.held,
+        expected=phi < outcome.caps,
+        counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
+    )
+
+
+def displacement_control(
+    rigid_object: RigidObject,
+    contacts: Contacts,
+    reference_point: np.ndarray,
+    wrenches: np.ndarray,
+    critical_wrench: int,
+    protocol: ValidationProtocol,
+) -> Control:
+    """A grasp with one contact moved must have the rho predicted for it, held just above and lost just below.
+
+    Of all small displacements the one is taken that changes the predicted cap of the critical wrench most.
+
+    Args:
+        rigid_object: What the fingers hold.
+        contacts: The grasp, with the planned friction.
+        reference_point: p_o, shape (3,) [m].
+        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
+        critical_wrench: Index of the wrench that decides rho.
+        protocol: Settings.
+
+    Raises:
+        SimulationError: When the experiment cannot be built or run.
+    """
+    for grasp in _by_change(rigid_object, contacts, reference_point, wrenches[critical_wrench], protocol):
+        phi = predicted_caps(grasp.contacts, reference_point, wrenches)
+        rho, friction = float(phi.max()), contacts.friction
+        if not np.isfinite(rho):
+            continue
+        experiment = set_up(rigid_object, grasp.contacts, reference_point, rho, friction, protocol)
+        if experiment.static.reasons():
+            continue
+        worst = int(phi.argmax())
+        outcome = experiment.measure(
+            wrenches[[worst, worst]], np.array([protocol.hold_factor, protocol.control_factor])
+        )
+        return Control(
+            name="displaced contact",
+            change=f"finger {grasp.finger} moved {grasp.distance:.3g} m, its own rho {phi.max():.5g} N",
+            wrenches=np.array([worst, worst]),
+            phi=phi[[worst, worst]],
+            caps=outcome.caps,
+            slips=outcome.slip,
+            held=outcome.held,
+            expected=np.array([True, False]),
+            counted=np.array([True, True]),
+        )
+    numbers, answers = np.zeros(0), np.zeros(0, dtype=bool)
+    return Control(
+        name="displaced contact",
+        change="no contact can move along its face and leave a grasp",
+        wrenches=np.zeros(0, dtype=int),
+        phi=numbers,
+        caps=numbers,
+        slips=numbers,
+        held=answers,
+        expected=answers,
+        counted=answers,
+    )
+
+
+def _by_change(
+    rigid_object: RigidObject,
+    contacts: Contacts,
+    reference_point: np.ndarray,
+    wrench: np.ndarray,
+    protocol: ValidationProtocol,
+) -> list[DisplacedGrasp]:
+    """Displaced grasps that can balance the wrench, the one whose cap for it changed most first."""
+    distance = protocol.displacement * rigid_object.size
+    grasps = [DisplacedGrasp(contacts=contacts, finger=0, distance=0.0)]
+    grasps += displaced_grasps(rigid_object, contacts, distance)
+    caps = [predicted_caps(grasp.contacts, reference_point, wrench[None])[0] for grasp in grasps]
+    changes = np.abs(np.array(caps[1:]) - caps[0])
+    return [grasps[1 + index] for index in np.argsort(-changes, kind="stable") if np.isfinite(changes[index])]
