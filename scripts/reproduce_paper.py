@@ -19,7 +19,9 @@ from planner.candidates.choice import make_candidates
 from planner.commands.terminal import ExitCode, parse, run
 from planner.contacts import Contacts
 from planner.exports.figures import draw_outline, new_figure, object_figure, save_figure
-from planner.objects.object_file import read_object_file
+from planner.objects.graspable import Graspable
+from planner.objects.mjcf import read_object
+from planner.objects.planar import read_planar
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
 from planner.search.certified import CertifiedSearch
@@ -36,7 +38,7 @@ PLANAR = {"convex": 56, "concave": 86}
 
 FRICTIONS = (0.1, 0.3, 0.5)
 FINGERS = (2, 3)
-SEARCHES = {
+SEARCHES: dict[str, PaperSearch | CertifiedSearch] = {
     "relaxation": PaperSearch(),
     "Subproblem 2": PaperSearch(bound="subproblem 2"),
     "certified": CertifiedSearch(),
@@ -63,20 +65,29 @@ class Case:
     """One object with one number of fingers and one friction coefficient."""
 
     name: str
-    target: RigidObject | PlanarObject
     problem: SearchProblem
+
+
+def planar_object(name: str) -> PlanarObject:
+    """One of our planar objects."""
+    return read_planar(ASSETS / "planar" / f"{name}.toml")
+
+
+def prism() -> RigidObject:
+    """The paper's triangular prism."""
+    return read_object(ASSETS / "prism" / "prism.xml")
 
 
 def planar_case(name: str, fingers: int, friction: float, *, quick: bool) -> Case:
     """One of our planar objects under the paper's rules."""
-    target = read_object_file(ASSETS / "planar" / f"{name}.toml")
+    target = planar_object(name)
     count = PLANAR[name] // 3 if quick else PLANAR[name]
     return make_case(f"{name}, {fingers} fingers", target, str(count), fingers, friction)
 
 
 def prism_case(*, quick: bool) -> Case:
     """The paper's Case III; the quick one keeps every sixth candidate and the three optimal ones."""
-    case = make_case("Case III, 3 fingers", read_object_file(ASSETS / "prism" / "prism.xml"), "case3", 3, 0.3)
+    case = make_case("Case III, 3 fingers", prism(), "case3", 3, 0.3)
     if not quick:
         return case
     contacts = case.problem.contacts
@@ -85,14 +96,14 @@ def prism_case(*, quick: bool) -> Case:
     return replace(case, problem=replace(case.problem, contacts=contacts.subset(kept)))
 
 
-def make_case(name: str, target: RigidObject | PlanarObject, candidates: str, fingers: int, friction: float) -> Case:
+def make_case(name: str, target: Graspable, candidates: str, fingers: int, friction: float) -> Case:
     """The task is the paper's: weight in a box or disc, moment of 0.8 gamma times the weight."""
     task = make_task("paper", target)
     contacts = make_candidates(target, candidates, friction, seed=0).contacts
     problem = SearchProblem(
         contacts=contacts, fingers=fingers, reference_point=task.reference_point, wrenches=task.wrenches
     )
-    return Case(name=name, target=target, problem=problem)
+    return Case(name=name, problem=problem)
 
 
 def best_of_ties(problem: SearchProblem) -> Evaluation:
@@ -172,16 +183,15 @@ def draw(out: Path, *, quick: bool) -> None:
     """Candidates (Fig. 2) and optimal grasps (Fig. 4 and 5) of the planar objects."""
     for name in PLANAR:
         cases = [planar_case(name, fingers, 0.3, quick=quick) for fingers in FINGERS]
-        target = cases[0].target
-        assert isinstance(target, PlanarObject)
+        corners = planar_object(name).outline.corners
         figure = new_figure(10, 4)
         axes = figure.subplots(1, 1 + len(cases))
-        draw_outline(axes[0], target.outline.corners, cases[0].problem.contacts, None, "candidates")
+        draw_outline(axes[0], corners, cases[0].problem.contacts, None, "candidates")
         for panel, case in zip(axes[1:], cases, strict=True):
             best = best_of_ties(case.problem)
             contacts = case.problem.contacts
             title = f"{case.problem.fingers} fingers: rho = {best.rho:.3g} N"
-            draw_outline(panel, target.outline.corners, contacts, contacts.subset(best.subset), title)
+            draw_outline(panel, corners, contacts, contacts.subset(best.subset), title)
         save_figure(out / f"{name}.png", figure)
 
 
@@ -191,20 +201,19 @@ def reproduce(options: Options) -> ExitCode:
     require_writable(options.out / "paper.md")
     quick = options.quick
     cases = [planar_case(name, fingers, 0.3, quick=quick) for name in PLANAR for fingers in FINGERS]
-    prism = prism_case(quick=quick)
-    results = {case.name: timed(case) for case in [*cases, prism]}
-    best = best_of_ties(prism.problem)
+    case3 = prism_case(quick=quick)
+    results = {case.name: timed(case) for case in [*cases, case3]}
+    best = best_of_ties(case3.problem)
     lines = ["# The paper, reproduced\n"]
     lines += ["Quick run on reduced candidates.\n"] if quick else []
-    lines += prism_table(prism.problem, best, results[prism.name]["relaxation"].trace[-1].nodes)
+    lines += prism_table(case3.problem, best, results[case3.name]["relaxation"].trace[-1].nodes)
     lines += [*planar_tables(quick=quick), *time_table(results)]
     print("\n".join(lines))
     write_atomically(options.out / "paper.md", "\n".join(lines).encode())
     draw(options.out, quick=quick)
-    assert isinstance(prism.target, RigidObject)
-    contacts = prism.problem.contacts
+    contacts = case3.problem.contacts
     title = f"Case III: rho = {best.rho:.3f} N"
-    save_figure(options.out / "prism.png", object_figure(prism.target, contacts, contacts.subset(best.subset), title))
+    save_figure(options.out / "prism.png", object_figure(prism(), contacts, contacts.subset(best.subset), title))
     return ExitCode.DONE
 
 

@@ -29,8 +29,9 @@ def test_the_main_job_plans_verifies_and_validates(tmp_path: Path, capsys: pytes
     assert says(capsys.readouterr().out, "64 of 64 wrenches held.* verdict +PASS")
     document = json.loads(validation.read_text())
     assert document["format"] == "rhograsp.validation"
-    assert document["verdict"] is True
-    assert document["controls"][0]["held"] is False
+    assert document["verdict"] == "pass"
+    assert [control["behaved"] for control in document["controls"]] == [True] * 4
+    assert document["controls"][0]["outcomes"][0]["held"] is False
     assert document["protocol"]["hold_factor"] == 1.02
 
 
@@ -220,3 +221,20 @@ def test_ctrl_c_writes_the_best_grasp_with_its_open_gap(tmp_path: Path) -> None:
     assert document["status"] == "interrupted"
     assert document["rho"] > 0
     assert run("grasp-verify", grasp) == 0
+
+
+def test_the_other_modes_test_measure_and_label_something_else(
+    golden_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run("grasp-validate", golden_file, "--mode", "squeeze") == 0
+    assert says(capsys.readouterr().out, r"predicted 0\.869.* N, measured .* not rho: .* CONFIRMED \(rhograsp.squeeze")
+    squeeze = json.loads((tmp_path / "golden.squeeze.json").read_text())
+    assert squeeze["format"] == "rhograsp.squeeze"
+    for mode in ("dexgraspbench", "graspdatagen"):
+        code = run("grasp-validate", golden_file, "--mode", mode, "--squeeze", 20)
+        assert code in (0, 5)
+        assert says(capsys.readouterr().out, rf"{'PASS' if code == 0 else 'FAIL'} \(.*\(fingertips\)")
+        assert json.loads((tmp_path / "golden.bench.json").read_text())["format"] == "rhograsp.bench"
+    assert run("grasp-validate", golden_file, "--mode", "graspdatagen", "--squeeze", -1) == 1
+    assert says(capsys.readouterr().err, "squeeze is -1")

@@ -4,7 +4,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import Annotated
+from typing import Annotated, Literal
 
 import tyro
 
@@ -24,10 +24,19 @@ class Options:
     """A *.grasp.json; its side file must be beside it."""
 
     out: Path | None = None
-    """The result to write; by default NAME.validation.json in the current folder."""
+    """The result to write; by default NAME.validation.json in the current folder (.squeeze.json and .bench.json in the
+    other modes)."""
 
     object: Path | None = None
     """Where the object's file is now, if it has moved."""
+
+    mode: Literal["active", "squeeze", "dexgraspbench", "graspdatagen"] = "active"
+    """What is tested: "active" fingers adapt their forces to each wrench, which is what rho means; "squeeze" measures
+    what a constant squeeze would need instead; "dexgraspbench" and "graspdatagen" apply these benches' own tugs and
+    thresholds, with fingertips."""
+
+    squeeze: float | None = None
+    """Force with which the fingertips squeeze in the two benches [N]; rho by default."""
 
     strict: bool = False
     """Hold at 1.005 rho and slip at 0.995 rho instead of 1.02 and 0.98."""
@@ -49,35 +58,21 @@ def validate_command(options: Options) -> ExitCode:
     from planner.grasp_file import SUFFIX, read_grasp
     from planner.grasped_object import read_grasped_object
     from planner.lift import in_space
-    from sim.commands.validation_report import summary
-    from sim.protocol import ACTIVE, STRICT
-    from sim.validate import validate
-    from sim.validation_file import write_validation
+    from sim.commands.modes import MODES
 
-    out = options.out or Path(options.file.name.removesuffix(SUFFIX) + ".validation.json")
+    ending, test = MODES[options.mode]
+    out = options.out or Path(options.file.name.removesuffix(SUFFIX) + ending)
     require_writable(out)
     grasp = read_grasp(options.file)
     if not grasp.found:
         raise GraspFileError(f"{options.file} holds no grasp (status {grasp.status}): there is nothing to validate")
     rigid_object, grasp = in_space(read_grasped_object(grasp, options.object), grasp)
-    validation = validate(
-        rigid_object,
-        grasp.contacts,
-        grasp.task.reference_point,
-        grasp.task.wrenches,
-        grasp.rho,
-        grasp.critical_wrench,
-        grasp.phi,
-        STRICT if options.strict else ACTIVE,
-        measure=options.measure or options.thorough,
-        thorough=options.thorough,
-        observe=_ignore if options.quiet else Progress(),
-    )
-    write_validation(out, validation, grasp=options.file.name)
+    outcome = test(rigid_object, grasp, options, _ignore if options.quiet else Progress())
+    outcome.write(out)
     if not options.quiet:
-        print("\n".join(summary(validation)))
+        print("\n".join(outcome.lines))
         print(f"wrote       {out}")
-    return ExitCode.DONE if validation.verdict else ExitCode.FAILED
+    return ExitCode.DONE if outcome.passed else ExitCode.FAILED
 
 
 class Progress:

@@ -1,0 +1,103 @@
+"""The tests that `grasp-validate --mode` chooses from: what each runs, writes and says."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from planner.grasp import Grasp
+from planner.objects.rigid_object import RigidObject
+from sim.benches.bench import BenchOutcome
+from sim.benches.bench_file import write_bench
+from sim.benches.dexgraspbench import dexgraspbench
+from sim.benches.graspdatagen import graspdatagen
+from sim.commands.validation_report import summary
+from sim.protocol import ACTIVE, STRICT
+from sim.squeeze import measure_squeeze_force
+from sim.squeeze_file import write_squeeze
+from sim.validate import validate
+from sim.validation_file import write_validation
+
+if TYPE_CHECKING:
+    from sim.commands.validate import Options
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Outcome:
+    """What a test leaves: its verdict, its file and its words."""
+
+    passed: bool
+    write: Callable[[Path], None]
+    lines: list[str]
+
+
+Test = Callable[[RigidObject, Grasp, "Options", Callable[[str], None]], Outcome]
+
+
+def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Callable[[str], None]) -> Outcome:
+    """Forces that adapt to every wrench, capped around rho."""
+    validation = validate(
+        rigid_object,
+        grasp.contacts,
+        grasp.task.reference_point,
+        grasp.task.wrenches,
+        grasp.rho,
+        grasp.critical_wrench,
+        grasp.phi,
+        STRICT if options.strict else ACTIVE,
+        measure=options.measure or options.thorough,
+        thorough=options.thorough,
+        observe=observe,
+    )
+    return Outcome(
+        passed=bool(validation.verdict),
+        write=lambda out: write_validation(out, validation, grasp=options.file.name),
+        lines=summary(validation),
+    )
+
+
+def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", _: Callable[[str], None]) -> Outcome:
+    """A constant squeeze that must hold every wrench, without adapting."""
+    task = grasp.task
+    need = measure_squeeze_force(rigid_object, grasp.contacts, task.reference_point, task.wrenches)
+    return Outcome(
+        passed=need.confirmed,
+        write=lambda out: write_squeeze(out, need, rigid_object, rho=grasp.rho, grasp=options.file.name),
+        lines=[
+            f"squeeze     predicted {need.predicted.squeeze_force:.6g} N, "
+            f"measured {need.lower:.6g} to {need.upper:.6g} N",
+            f"            not rho: fingers that adapt need {grasp.rho:.6g} N",
+            f"verdict     {'CONFIRMED' if need.confirmed else 'NOT CONFIRMED'} ({need.protocol.name})",
+        ],
+    )
+
+
+def bench(
+    run: Callable[..., BenchOutcome],
+    rigid_object: RigidObject,
+    grasp: Grasp,
+    options: "Options",
+    _: Callable[[str], None],
+) -> Outcome:
+    """Another project's tugs and thresholds."""
+    outcome = run(rigid_object, grasp.contacts, grasp.rho if options.squeeze is None else options.squeeze)
+    return Outcome(
+        passed=outcome.passed,
+        write=lambda out: write_bench(out, outcome, grasp=options.file.name),
+        lines=[
+            f"bench       fingertips squeeze with {outcome.squeeze:.5g} N; the object moved at most "
+            f"{1000 * outcome.translations.max():.3g} mm and {outcome.rotations.max():.3g} rad",
+            f"verdict     {'PASS' if outcome.passed else 'FAIL'} ({outcome.settings.name})",
+            *(f"because     {reason}" for reason in outcome.reasons),
+        ],
+    )
+
+
+MODES: dict[str, tuple[str, Test]] = {
+    "active": (".validation.json", active),
+    "squeeze": (".squeeze.json", squeeze),
+    "dexgraspbench": (".bench.json", partial(bench, dexgraspbench)),
+    "graspdatagen": (".bench.json", partial(bench, graspdatagen)),
+}
+"""Mode, the ending of its file, and its test."""
