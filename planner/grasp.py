@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from planner.contacts import Contacts
+from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
 from planner.search.result import Status, relative_gap
 from planner.task import Task
 
@@ -89,6 +90,9 @@ class Grasp:
 
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
+
+    given: GivenMass = NOTHING_GIVEN
+    """Mass properties that the user gave in place of those of the object's file."""
 
     @property
     def found(self) -> bool:

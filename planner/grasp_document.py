@@ -30,6 +30,10 @@ class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
     sha256: str
     body: str
     mass: float
+    given_mass: float | None = None
+    """What the user gave in place of the file's mass [kg]."""
+    given_center_of_mass: Vector | None = None
+    """What the user gave in place of the file's centre of mass, body frame [m]."""
 
 
 class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):

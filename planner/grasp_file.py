@@ -30,6 +30,7 @@ from planner.grasp_document import (
     PlannerRecord,
     TaskRecord,
 )
+from planner.objects.given_mass import GivenMass
 from planner.search.problem import MOST_FINGERS
 from planner.search.result import relative_gap
 from planner.task import Task
@@ -91,12 +92,17 @@ def read_grasp(path: Path) -> Grasp:
 
 
 def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
-    contacts = grasp.contacts
+    contacts, center = grasp.contacts, grasp.given.center_of_mass
     return GraspDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
         object=ObjectRecord(
-            mjcf=_relative(grasp.file, path.parent), sha256=grasp.sha256, body=grasp.body, mass=grasp.mass
+            mjcf=_relative(grasp.file, path.parent),
+            sha256=grasp.sha256,
+            body=grasp.body,
+            mass=grasp.mass,
+            given_mass=grasp.given.mass,
+            given_center_of_mass=None if center is None else center.tolist(),
         ),
         task=TaskRecord(
             name=grasp.task.name,
@@ -205,7 +211,13 @@ def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -
         search=document.search,
         certificate=Certificate(candidates=candidates, cuts=arrays["cuts"]),
         packages=document.planner.packages,
+        given=_given(document.object),
     )
+
+
+def _given(record: ObjectRecord) -> GivenMass:
+    center = record.given_center_of_mass
+    return GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center))
 
 
 def _check(document: GraspDocument, grasp: Grasp) -> None:

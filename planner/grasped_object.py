@@ -22,7 +22,7 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
     file = moved or grasp.file
     if not file.is_file():
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
-    rigid_object = read_object_file(file, grasp.body)
+    rigid_object = read_object_file(file, grasp.body, grasp.given)
     if rigid_object.sha256 != grasp.sha256:
         raise GraspFileError(
             f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "

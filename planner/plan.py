@@ -7,7 +7,9 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.grasp import Certificate, Grasp, SearchRecord
+from planner.objects.given_mass import NOTHING_GIVEN
 from planner.objects.graspable import Graspable
+from planner.objects.rigid_object import RigidObject
 from planner.search.certified import CertifiedSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult
@@ -85,4 +87,5 @@ def _grasp(
         ),
         certificate=Certificate(candidates=problem.contacts, cuts=result.directions),
         packages={name: version(name) for name in PACKAGES},
+        given=rigid_object.given if isinstance(rigid_object, RigidObject) else NOTHING_GIVEN,
     )

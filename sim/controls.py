@@ -126,7 +126,7 @@ def displacement_control(
         )
         return Control(
             name="displaced contact",
-            change=f"finger {grasp.finger} moved {grasp.distance:.3g} m, its own rho {phi.max():.5g} N",
+            change=f"finger {grasp.finger + 1} moved {grasp.distance:.3g} m, its own rho {phi.max():.5g} N",
             wrenches=np.array([worst, worst]),
             phi=phi[[worst, worst]],
             caps=outcome.caps,

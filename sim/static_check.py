@@ -36,12 +36,12 @@ class StaticCheck:
             if abs(distance) > self.tolerance:
                 where = "inside" if distance < 0 else "off"
                 sentences.append(
-                    f"fingertip {finger} is {abs(distance):.2g} m {where} the collision surface "
+                    f"fingertip {finger + 1} is {abs(distance):.2g} m {where} the collision surface "
                     f"(allowed {self.tolerance:.1g} m): not planned on what MuJoCo collides, or a wall is too near"
                 )
             elif touches > 1:
                 sentences.append(
-                    f"fingertip {finger} touches {touches} parts of the object at once even with a radius of "
+                    f"fingertip {finger + 1} touches {touches} parts of the object at once even with a radius of "
                     f"{self.tip_radius:.2g} m: choose another contact"
                 )
         return tuple(sentences)

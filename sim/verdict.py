@@ -37,7 +37,7 @@ def unheld(vertices: Measurement, protocol: ValidationProtocol) -> tuple[str, ..
         return ()
     worst = int(failed[vertices.slip[failed].argmax()])
     lost = np.flatnonzero(vertices.lost[worst])
-    touch = f", fingers {lost.tolist()} lost contact" if lost.size else ""
+    touch = f", fingers {(lost + 1).tolist()} lost contact" if lost.size else ""
     return (
         f"{failed.size} of {len(vertices.held)} wrenches were not held with the cap at {protocol.hold_factor:g} rho "
         f"= {vertices.caps[0]:.5g} N; wrench {worst} slipped {vertices.slip[worst]:.2g} R0 (allowed "

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from planner.commands import convert, plan, verify
-from sim.commands import validate
+from planner.commands import convert, inspect, plan, verify
+from sim.commands import report, validate
 
 ROOT = Path(__file__).resolve().parents[1]
 ASSETS = ROOT / "assets"
@@ -19,6 +19,8 @@ MAINS: dict[str, Callable[[], None]] = {
     "grasp-verify": verify.main,
     "grasp-validate": validate.main,
     "grasp-convert": convert.main,
+    "grasp-inspect": inspect.main,
+    "grasp-report": report.main,
 }
 
 

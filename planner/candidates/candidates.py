@@ -7,6 +7,7 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
+from planner.objects.projection import project
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -25,26 +26,9 @@ class Candidates:
     def __len__(self) -> int:
         return len(self.part)
 
-
-def project(
-    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Points of the exact surface nearest to given ones on given facets, and the inward unit normals there.
-
-    Args:
-        rigid_object: The object.
-        points: Shape (n, d) [m].
-        part: Part of each point, shape (n,).
-        facet: Facet of each point, shape (n,).
-
-    Returns:
-        Two arrays of shape (n, d).
-    """
-    feet, normals = np.empty_like(points), np.empty_like(points)
-    for index in np.unique(part):
-        here = part == index
-        feet[here], normals[here] = rigid_object.parts[index].project(points[here], facet[here])
-    return feet, normals
+    def subset(self, indices: np.ndarray) -> "Candidates":
+        """The candidates at `indices`, shape (m,), in that order."""
+        return Candidates(contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
 
 
 def candidates_at(

@@ -17,7 +17,9 @@ CASE3 = "case3"
 ALLOWED = "a number of points (300), grid:SPACING in metres (grid:0.004), case3, or the path of a CSV file of points"
 
 
-def make_candidates(rigid_object: Graspable, choice: str, friction: float | None, seed: int) -> Candidates:
+def make_candidates(
+    rigid_object: Graspable, choice: str, friction: float | None, seed: int, fingertip: float | None = None
+) -> Candidates:
     """Candidates as chosen.
 
     Args:
@@ -26,17 +28,20 @@ def make_candidates(rigid_object: Graspable, choice: str, friction: float | None
             takes the paper's 217 points, anything else is the path of a CSV file of points.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         seed: Of the points evenly spread in space; in the plane none is needed.
+        fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
+            Points in the plane and listed points are not asked for room.
 
     Raises:
-        CandidateError: If the choice, the friction or the seed is out of range, or points are off the surface.
+        CandidateError: If the choice, friction, seed or fingertip is out of range, or points are off the surface.
     """
     count = _integer(choice)
+    _check_fingertip(rigid_object, fingertip, spread=count is not None or choice.startswith(GRID))
     if isinstance(rigid_object, PlanarObject):
         return _planar_candidates(rigid_object, choice, count, friction)
     if count is not None:
-        return even_candidates(rigid_object, count, friction, seed)
+        return even_candidates(rigid_object, count, friction, seed, fingertip)
     if choice.startswith(GRID):
-        return grid_candidates(rigid_object, _spacing(choice), friction)
+        return grid_candidates(rigid_object, _spacing(choice), friction, fingertip)
     points = case3_points() if choice == CASE3 else read_points(_existing(choice))
     return listed_candidates(rigid_object, points, friction)
 
@@ -49,6 +54,21 @@ def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, fri
     if choice == CASE3:
         raise CandidateError(f"{CASE3} lists points in space, but the object is planar; give a number or grid:SPACING")
     return listed_candidates(planar, read_points(_existing(choice), dimension=2), friction)
+
+
+def _check_fingertip(rigid_object: Graspable, fingertip: float | None, *, spread: bool) -> None:
+    if fingertip is None:
+        return
+    if not 0 <= fingertip <= rigid_object.size:
+        raise CandidateError(
+            f"the fingertip's radius is {fingertip} m; it must be between 0 and the object's size, "
+            f"{rigid_object.size:.3g} m"
+        )
+    if isinstance(rigid_object, PlanarObject) or not spread:
+        raise CandidateError(
+            "a fingertip's radius decides where evenly spread points and grids on objects in space may lie; leave "
+            "--fingertip out for planar objects and listed points"
+        )
 
 
 def _integer(choice: str) -> int | None:

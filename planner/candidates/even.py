@@ -7,12 +7,13 @@ over facets in an order fixed by geometry, so the same candidates come out on ev
 
 import numpy as np
 
-from planner.candidates.candidates import Candidates, candidates_at, project
+from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.farthest import farthest_points
 from planner.errors import CandidateError
 from planner.objects.exposure import reachable
+from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
-from planner.objects.vectors import norm
+from planner.objects.sampling import random_points, whole_surface
 
 MOST_CANDIDATES = 1_000_000
 
@@ -23,7 +24,9 @@ MOST_ROUNDS = 50
 """Rounds of drawing before the surface is held to be buried."""
 
 
-def even_candidates(rigid_object: RigidObject, count: int, friction: float | None, seed: int) -> Candidates:
+def even_candidates(
+    rigid_object: RigidObject, count: int, friction: float | None, seed: int, fingertip: float | None = None
+) -> Candidates:
     """Exactly `count` candidates, evenly spread.
 
     Args:
@@ -31,6 +34,7 @@ def even_candidates(rigid_object: RigidObject, count: int, friction: float | Non
         count: 1 to MOST_CANDIDATES.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         seed: Of the random pool, not negative.
+        fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
 
     Raises:
         CandidateError: If an argument is out of range, or nearly all of the surface is inside other parts.
@@ -40,27 +44,21 @@ def even_candidates(rigid_object: RigidObject, count: int, friction: float | Non
     if seed < 0:
         raise CandidateError(f"the seed is {seed}; it must not be negative")
     generator = np.random.Generator(np.random.PCG64(seed))
-    points, part, facet = _pool(rigid_object, OVERSAMPLING * count, generator)
+    points, part, facet = _pool(rigid_object, OVERSAMPLING * count, generator, fingertip)
     chosen = farthest_points(points, count)
     return candidates_at(rigid_object, points[chosen], part[chosen], facet[chosen], friction)
 
 
 def _pool(
-    rigid_object: RigidObject, size: int, generator: np.random.Generator
+    rigid_object: RigidObject, size: int, generator: np.random.Generator, fingertip: float | None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """At least `size` exposed random points, with their parts and facets."""
-    surfaces = [part.triangles() for part in rigid_object.parts]
-    triangles = np.concatenate([triangles for triangles, _ in surfaces])
-    facet_of = np.concatenate([facets for _, facets in surfaces])
-    part_of = np.repeat(np.arange(len(surfaces)), [len(facets) for _, facets in surfaces])
-    summed_areas = _areas(triangles).cumsum()
+    triangles, part_of, facet_of = whole_surface(rigid_object)
     points, parts, facets, found = [], [], [], 0
     for _ in range(MOST_ROUNDS):
-        where = generator.random(size) * summed_areas[-1]
-        index = summed_areas.searchsorted(where, side="right").clip(max=len(triangles) - 1)
-        drawn = _random_points(triangles[index], generator)
+        drawn, index = random_points(triangles, size, generator)
         drawn, normals = project(rigid_object, drawn, part_of[index], facet_of[index])
-        outside = reachable(rigid_object, drawn, normals, part_of[index])
+        outside = reachable(rigid_object, drawn, normals, part_of[index], fingertip)
         points.append(drawn[outside])
         parts.append(part_of[index][outside])
         facets.append(facet_of[index][outside])
@@ -68,19 +66,6 @@ def _pool(
         if found >= size:
             return np.concatenate(points), np.concatenate(parts), np.concatenate(facets)
     raise CandidateError(
-        f"only {found} of {MOST_ROUNDS * size} random surface points lie outside the other parts of the object; "
-        "remove parts that hide each other"
+        f"only {found} of {MOST_ROUNDS * size} random surface points leave room for a fingertip outside the "
+        "other parts of the object; choose a smaller --fingertip, or remove parts that hide each other"
     )
-
-
-def _areas(triangles: np.ndarray) -> np.ndarray:
-    edges = triangles[:, 1:] - triangles[:, :1]
-    return norm(np.cross(edges[:, 0], edges[:, 1])) / 2
-
-
-def _random_points(triangles: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    """One point in each triangle, uniform over its area."""
-    across, along = np.sqrt(generator.random(len(triangles)))[:, None], generator.random(len(triangles))[:, None]
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    points: np.ndarray = a + across * ((b - a) + along * (c - b))
-    return points

@@ -6,12 +6,13 @@ axis the facet's extent is cut into round(extent / spacing) cells, and the centr
 
 import numpy as np
 
-from planner.candidates.candidates import Candidates, candidates_at, project
+from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
 from planner.objects.exposure import reachable
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
+from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import unit
 
@@ -19,13 +20,16 @@ STRICTLY_INSIDE = 1e-6
 """Least distance of a centre from the facet's edges, relative to the object's size."""
 
 
-def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float | None) -> Candidates:
+def grid_candidates(
+    rigid_object: RigidObject, spacing: float, friction: float | None, fingertip: float | None = None
+) -> Candidates:
     """Cell centres of every facet, part by part and facet by facet; those inside other parts are left out.
 
     Args:
         rigid_object: The object; all its parts must be polyhedra.
         spacing: Wanted edge length of the cells [m].
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
+        fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
 
     Raises:
         CandidateError: If the spacing is not positive, gives too many points or none, or a part is curved.
@@ -47,7 +51,7 @@ def grid_candidates(rigid_object: RigidObject, spacing: float, friction: float |
     part_of = np.repeat([index for index, _, _ in facets], counts)
     facet_of = np.repeat([facet for _, facet, _ in facets], counts)
     points, normals = project(rigid_object, np.concatenate(centers), part_of, facet_of)
-    outside = reachable(rigid_object, points, normals, part_of)
+    outside = reachable(rigid_object, points, normals, part_of, fingertip)
     if not outside.any():
         raise CandidateError(f"no cell centre of a grid of {spacing:g} m lies on the surface; choose a smaller spacing")
     return candidates_at(rigid_object, points[outside], part_of[outside], facet_of[outside], friction)

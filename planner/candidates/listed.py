@@ -4,11 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
-from planner.candidates.candidates import Candidates, candidates_at, project
+from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
 from planner.objects.exposure import exposed
 from planner.objects.graspable import Graspable
+from planner.objects.projection import project
 
 ON_SURFACE = 1e-6
 """Largest distance of a listed point from the surface, relative to the object's size."""

@@ -7,19 +7,26 @@ import tyro
 
 from planner.commands.terminal import ExitCode, parse, run
 
+HAND = ".npy"
+"""Ending of a foreign grasp of a whole hand."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
     """Convert a grasp file; the ending of the output says to what.
 
     .glb is a 3-D scene with the object, the contacts, their friction cones and the forces for one wrench.
+    .isaac.yaml (or .yaml) is an isaac_grasp file with one contact frame per fingertip.
+    .graspgen.json and .npy (DexGraspBench) hold whole hands, so fingertips are refused, with the reason.
+
+    A DexGraspBench .npy can be converted to .isaac.yaml and, if it says whether it held, to .graspgen.json.
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json, with its side file beside it; or a DexGraspBench *.npy, whose pickle is not run."""
 
     out: Path
-    """The file to write: NAME.glb."""
+    """The file to write."""
 
     wrench: int | None = None
     """Which wrench's forces to show; by default the critical one."""
@@ -31,14 +38,19 @@ class Options:
 def convert_command(options: Options) -> ExitCode:
     """Convert and say what was written."""
     from planner.errors import OutputError  # here: the help must not wait for trimesh
-    from planner.exports.glb import write_glb
+    from planner.exports.dexgraspbench import read_hand
+    from planner.exports.formats import format_of
     from planner.grasp_file import read_grasp
     from planner.grasped_object import read_grasped_object
 
-    if options.out.suffix != ".glb":
-        raise OutputError(f"cannot convert to {options.out.suffix or options.out}; the output must end in .glb")
-    grasp = read_grasp(options.file)
-    write_glb(options.out, read_grasped_object(grasp, options.object), grasp, options.wrench)
+    format = format_of(options.out)
+    if options.file.suffix.lower() == HAND:
+        if format.hand is None:
+            raise OutputError(f"{options.file} is a grasp of a hand, which {format.ending} does not hold")
+        format.hand(options.out, read_hand(options.file))
+    else:
+        grasp = read_grasp(options.file)
+        format.fingertips(options.out, read_grasped_object(grasp, options.object), grasp, options.wrench)
     print(f"wrote       {options.out}")
     return ExitCode.DONE
 

@@ -2,9 +2,14 @@
 
 from pathlib import Path
 
+import numpy as np
+
 from planner.candidates.candidates import Candidates
+from planner.candidates.confirmed import Confirmed
 from planner.grasp import Grasp
+from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
+from planner.objects.rigid_object import RigidObject
 from planner.search.result import Progress, Status
 from planner.task import Task
 
@@ -22,13 +27,29 @@ class Report:
     def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
         """What is about to be searched."""
         extent = " x ".join(f"{1000 * edge:.4g}" for edge in rigid_object.extent)
-        friction = candidates.contacts.friction
-        spread = f"{friction.min():g}" if friction.min() == friction.max() else f"{friction.min():g}–{friction.max():g}"
         self._say(
             f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
         )
+        if isinstance(rigid_object, RigidObject) and not rigid_object.given.nothing:
+            self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
         self._say(f"task        {task.name}: {len(task.wrenches)} wrenches")
-        self._say(f"candidates  {len(candidates.contacts)}, friction {spread}; {fingers} fingers")
+        self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
+
+    def decomposed(self, file: Path, parts: int) -> None:
+        """What is planned on in place of the object's file."""
+        self._say(f"decomposed  {file}: {parts} convex parts")
+
+    def dropped(self, confirmed: Confirmed) -> None:
+        """Candidates that MuJoCo does not confirm, if there are any."""
+        if confirmed.dropped:
+            self._say(
+                f"dropped     {confirmed.dropped} candidates that MuJoCo does not confirm: {confirmed.off_surface} off "
+                f"its surface, {confirmed.turned} with another normal, {confirmed.crowded} touching another part; "
+                f"{len(confirmed.candidates)} are left"
+            )
+
+    def header(self) -> None:
+        """The head of the search log."""
         self._say()
         self._say(HEADER)
 
@@ -76,3 +97,23 @@ class Report:
     def _say(self, text: str = "") -> None:
         if not self._quiet:
             print(text, flush=True)
+
+
+def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
+    """The coefficients and where they come from."""
+    friction = candidates.contacts.friction
+    own = np.array([part.friction for part in rigid_object.parts])[candidates.part]
+    least, most = friction.min(), friction.max()
+    spread = f"{least:g}" if least == most else f"{least:g}–{most:g}"
+    return f"{spread} (the object's own)" if (friction == own).all() else spread
+
+
+def _given(given: GivenMass) -> str:
+    """The mass properties that the user gave."""
+    mass = [] if given.mass is None else [f"mass {given.mass:g} kg"]
+    center = given.center_of_mass
+    return ", ".join(mass + ([] if center is None else [f"centre of mass ({_millimetres(center)}) mm"]))
+
+
+def _millimetres(point: np.ndarray) -> str:
+    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)

@@ -13,6 +13,7 @@ import numpy as np
 from planner.atomic_write import write_atomically
 from planner.contacts import Contacts
 from planner.errors import OutputError
+from planner.exports.sharp_edges import sharp_edges
 from planner.objects.rigid_object import RigidObject
 
 if TYPE_CHECKING:
@@ -91,8 +92,8 @@ def object_figure(rigid_object: RigidObject, candidates: Contacts, grasp: Contac
     figure = new_figure(6.4, 5.6)
     axes = figure.add_subplot(projection="3d")
     for part in rigid_object.parts:
-        triangles, facets = part.triangles()
-        for start, stop in _facet_edges(CENTIMETRES * triangles, facets):
+        triangles, _ = part.triangles()
+        for start, stop in CENTIMETRES * sharp_edges(triangles):
             axes.plot(*np.stack([start, stop]).T, color=OBJECT, linewidth=1.2)
         base = CENTIMETRES * triangles[..., 2].min()
     axes.plot(*(CENTIMETRES * candidates.points).T, ".", color=CANDIDATE, markersize=2)
@@ -109,17 +110,3 @@ def object_figure(rigid_object: RigidObject, candidates: Contacts, grasp: Contac
     axes.locator_params(nbins=4)
     axes.view_init(elev=35, azim=-120)
     return figure
-
-
-def _facet_edges(triangles: np.ndarray, facets: np.ndarray) -> list[np.ndarray]:
-    """Edges that do not lie inside one flat facet: shape (2, 3) each."""
-    sides: dict[tuple[int, frozenset[tuple[float, ...]]], np.ndarray] = {}
-    for triangle, facet in zip(triangles, facets.tolist(), strict=True):
-        for start, stop in ((0, 1), (1, 2), (2, 0)):
-            edge = triangle[[start, stop]]
-            key = facet, frozenset(tuple(corner) for corner in np.round(edge, 9).tolist())
-            if key in sides:
-                del sides[key]  # shared by two triangles of the facet
-            else:
-                sides[key] = edge
-    return list(sides.values())

@@ -14,7 +14,7 @@ PROBES = (1e-6, 1e-2)
 """Heights above the surface at which other parts are asked, relative to the object's size."""
 
 FINGERTIP = 0.005
-"""Radius of the fingertip that must fit beside other parts' walls, relative to the object's size."""
+"""Radius, unless given, of the fingertip that must fit beside other parts' walls, relative to the object's size."""
 
 SEAM = 1e-3
 """Relative slack that lets a fingertip rest on one of two coplanar faces beside the other."""
@@ -42,10 +42,12 @@ def exposed(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, pa
     return outside
 
 
-def reachable(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
+def reachable(
+    rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray, fingertip: float | None = None
+) -> np.ndarray:
     """Whether a fingertip touching the outer surface at a point keeps clear of all other parts.
 
-    The fingertip is a ball of radius FINGERTIP times the object's size. Distances to other parts are taken to the
+    The fingertip is a ball. Distances to other parts are taken to the
     planes of their facets, so near a seam a little more than necessary is given up.
 
     Args:
@@ -53,12 +55,13 @@ def reachable(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, 
         points: Points on the surfaces of parts, shape (n, d) [m].
         normals: Inward unit normals there, shape (n, d).
         part: Index of the part each point belongs to, shape (n,).
+        fingertip: Its radius [m]; by default FINGERTIP times the object's size.
 
     Returns:
         Shape (n,), boolean.
     """
     clear = exposed(rigid_object, points, normals, part)
-    radius = FINGERTIP * rigid_object.size
+    radius = FINGERTIP * rigid_object.size if fingertip is None else fingertip
     centers = points - radius * normals
     for index, other in enumerate(rigid_object.parts):
         lower, upper = other.bounds()

@@ -3,17 +3,22 @@
 Frame: the chosen MJCF body's frame B, SI.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 
+from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
 from planner.objects.part import Part
 
 
 class ConvexPart(Part, Protocol):
     """One collision geom: a convex solid whose surface is divided into facets."""
+
+    @property
+    def mjcf_type(self) -> str:
+        """MuJoCo's name for this kind of geom."""
 
     def triangles(self) -> tuple[np.ndarray, np.ndarray]:
         """Triangles of the surface, shape (triangles, 3, 3) [m], and the facet of each, shape (triangles,).
@@ -50,7 +55,17 @@ class RigidObject:
     extent: np.ndarray
     """Edge lengths of the collision surface's bounding box along the axes of B, shape (3,) [m]."""
 
+    given: GivenMass = NOTHING_GIVEN
+    """What of the mass properties the user gave in place of the file's."""
+
     @property
     def size(self) -> float:
         """Diagonal of the bounding box [m]."""
         return float(np.linalg.norm(self.extent))
+
+    def weighing(self, given: GivenMass) -> "RigidObject":
+        """The same object with the given mass properties; the inertia grows with the mass."""
+        mass = self.mass if given.mass is None else given.mass
+        center = self.center_of_mass if given.center_of_mass is None else given.center_of_mass
+        inertia = self.inertia * (mass / self.mass) if self.mass > 0 else self.inertia
+        return replace(self, mass=mass, center_of_mass=center, inertia=inertia, given=given)

@@ -39,7 +39,7 @@ def _held(vertices: Measurement, factor: float, tolerance: float) -> str:
 def _forces(forces: ForceAgreement) -> tuple[str, str]:
     return (
         f"forces      measured differ from predicted by at most {forces.largest:.2%} of the cap (wrench "
-        f"{forces.wrench}, finger {forces.finger}), typically {forces.typical:.3%}",
+        f"{forces.wrench}, finger {forces.finger + 1}), typically {forces.typical:.3%}",
         f"friction    utilisation differs by at most {forces.largest_utilisation:.2%} of the coefficient, typically "
         f"{forces.typical_utilisation:.3%}; the highest is {forces.highest_utilisation:.1%}",
     )

@@ -102,7 +102,7 @@ def concave_corner(distance: float) -> tuple[str, ...]:
 def test_a_fingertip_in_a_concave_corner_narrower_than_itself_is_caught() -> None:
     assert concave_corner(0.002) == ()
     (reason,) = concave_corner(1e-4)
-    assert reason.startswith("fingertip 0") and "a wall is too near" in reason
+    assert reason.startswith("fingertip 1") and "a wall is too near" in reason
 
 
 def test_the_slab_slides_and_turns_as_mujoco_says() -> None:

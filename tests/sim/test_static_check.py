@@ -40,14 +40,14 @@ def test_near_the_other_wall_of_a_corner_a_smaller_fingertip_is_taken() -> None:
 def test_a_fingertip_that_reaches_into_the_other_wall_of_a_corner_is_caught() -> None:
     validation = held_at(CORNER + 0.5 * SMALLEST_TIP, BASE, UPRIGHT)
     assert not validation.verdict
-    assert validation.reasons[0].startswith("fingertip 0")
+    assert validation.reasons[0].startswith("fingertip 1")
     assert validation.vertices is None
 
 
 def test_a_fingertip_that_just_touches_the_other_wall_is_caught() -> None:
     validation = held_at(CORNER + 1.0001 * SMALLEST_TIP, BASE, UPRIGHT)
     assert not validation.verdict
-    assert "fingertip 0 touches 2 parts" in validation.reasons[0]
+    assert "fingertip 1 touches 2 parts" in validation.reasons[0]
     assert len(validation.reasons) == 1
 
 
@@ -56,7 +56,7 @@ def test_a_contact_planned_inside_the_hull_of_a_concave_mesh_is_caught() -> None
     hull = Polyhedron.hull(np.vstack([BASE.vertices, UPRIGHT.vertices]), geom="one mesh", friction=0.5)
     validation = held_at(-0.01, hull)
     assert not validation.verdict
-    assert "fingertip 0" in validation.reasons[0] and "inside" in validation.reasons[0]
+    assert "fingertip 1" in validation.reasons[0] and "inside" in validation.reasons[0]
 
 
 def test_a_contact_off_the_surface_is_caught() -> None:

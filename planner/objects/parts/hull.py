@@ -19,6 +19,10 @@ LEAST_THICKNESS = 1e-5
 """A hull thinner than this, relative to the same diagonal, has no meaningful faces."""
 
 
+CHUNK = 64
+"""Planes compared with all corners at once: bounds the memory, and is fast."""
+
+
 class Facets(NamedTuple):
     """The surface of a convex polyhedron."""
 
@@ -63,7 +67,7 @@ def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
         )
     outlines = [_polygon(scaled, *group) for group in _coplanar_groups(scaled, hull)]
     polygons = [outline for outline in outlines if len(outline) >= 3]
-    planes = np.array([_plane(scaled[polygon]) for polygon in polygons])
+    planes = _planes(scaled, polygons)
     order = np.lexsort(np.round(planes, 6).T[::-1])
     used = np.unique(np.concatenate(polygons))
     normals = planes[order, :3]
@@ -90,14 +94,16 @@ def _coplanar_groups(points: np.ndarray, hull: ConvexHull) -> list[tuple[np.ndar
     areas = np.linalg.norm(np.cross(second - first, third - first), axis=1)
     free = np.ones(len(triangles), dtype=bool)
     groups = []
-    for seed in np.argsort(-areas, kind="stable"):
-        if not free[seed]:
-            continue
-        on_plane = np.abs(points @ normals[seed] - offsets[seed]) <= MERGE_TOLERANCE
-        group = free & on_plane[triangles].all(axis=1) & (normals @ normals[seed] > 0)
-        group[seed] = True
-        free &= ~group
-        groups.append((np.unique(triangles[group]), normals[seed]))
+    order = np.argsort(-areas, kind="stable")
+    for seeds in np.split(order, range(CHUNK, len(order), CHUNK)):
+        on_plane = np.abs(points @ normals[seeds].T - offsets[seeds]) <= MERGE_TOLERANCE
+        alike = on_plane[triangles].all(axis=1) & (normals @ normals[seeds].T > 0)
+        for seed, flush in zip(seeds, alike.T, strict=True):
+            if free[seed]:
+                group = free & flush
+                group[seed] = True
+                free &= ~group
+                groups.append((np.unique(triangles[group]), normals[seed]))
     return groups
 
 
@@ -132,10 +138,19 @@ def _half_outline(points: np.ndarray, order: np.ndarray) -> list[int]:
     return chain[:-1]
 
 
-def _plane(polygon: np.ndarray) -> np.ndarray:
-    """Outward unit normal and offset of a nearly flat polygon, from its vector area (Newell), shape (4,)."""
-    middle = polygon.mean(axis=0)
-    arms = polygon - middle
-    area = np.cross(arms, np.roll(arms, -1, axis=0)).sum(axis=0)
-    normal = area / np.linalg.norm(area)
-    return np.append(normal, normal @ middle)
+def _planes(points: np.ndarray, polygons: list[np.ndarray]) -> np.ndarray:
+    """Outward unit normal and offset of nearly flat polygons, from their vector areas (Newell), shape (n, 4).
+
+    Polygons with equally many corners are done together.
+    """
+    planes = np.empty((len(polygons), 4))
+    counts = np.array([len(polygon) for polygon in polygons])
+    for count in np.unique(counts):
+        chosen = np.flatnonzero(counts == count)
+        corners = points[np.stack([polygons[index] for index in chosen])]
+        middles = corners.mean(axis=1)
+        arms = corners - middles[:, None]
+        areas = np.cross(arms, np.roll(arms, -1, axis=1)).sum(axis=1)
+        normals = areas / np.linalg.norm(areas, axis=1, keepdims=True)
+        planes[chosen] = np.column_stack([normals, (normals * middles).sum(axis=1)])
+    return planes

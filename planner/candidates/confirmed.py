@@ -1,0 +1,76 @@
+"""Candidates that MuJoCo confirms: where it collides, with the normal it will report, and clear of other parts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.candidates.candidates import Candidates
+from planner.errors import CandidateError
+from planner.objects.collision import measure_collision
+from planner.objects.rigid_object import RigidObject
+
+ON_SURFACE = 1e-6
+"""Largest distance from MuJoCo's surface, relative to the object's size."""
+
+SAME_NORMAL = np.deg2rad(0.1)
+"""Largest angle to MuJoCo's normal [rad]."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Confirmed:
+    """The confirmed candidates, and how the others failed."""
+
+    candidates: Candidates
+
+    off_surface: int
+    """How many were left out because MuJoCo's surface is elsewhere."""
+
+    turned: int
+    """How many were left out because MuJoCo's normal is another."""
+
+    crowded: int
+    """How many were left out because even a tiny ball there touches another part."""
+
+    largest_height: float
+    """Largest distance of a confirmed candidate from MuJoCo's surface [m]."""
+
+    largest_turn: float
+    """Largest angle of a confirmed candidate's normal to MuJoCo's [rad]."""
+
+    @property
+    def dropped(self) -> int:
+        """How many were left out."""
+        return self.off_surface + self.turned + self.crowded
+
+
+def confirmed_candidates(rigid_object: RigidObject, candidates: Candidates) -> Confirmed:
+    """Leave out the candidates that MuJoCo does not confirm; each counts for its first failure.
+
+    Args:
+        rigid_object: The object; its file is compiled again.
+        candidates: On its surface.
+
+    Raises:
+        CandidateError: If none is confirmed.
+        ObjectError: If the object's file cannot be compiled any more.
+    """
+    contacts = candidates.contacts
+    measured = measure_collision(rigid_object, contacts.points, contacts.normals, candidates.part)
+    off = np.abs(measured.heights) > ON_SURFACE * rigid_object.size
+    turned = ~off & (measured.turns > SAME_NORMAL)
+    crowded = ~off & ~turned & ~measured.free
+    kept = np.flatnonzero(~(off | turned | crowded))
+    if not len(kept):
+        raise CandidateError(
+            f"MuJoCo confirms none of the {len(candidates)} candidates: {off.sum()} are off its surface (the first by "
+            f"{measured.heights[0]:.2g} m), {turned.sum()} have another normal, {crowded.sum()} touch another part; "
+            "grasp-inspect shows the object as MuJoCo collides it"
+        )
+    return Confirmed(
+        candidates=candidates.subset(kept),
+        off_surface=int(off.sum()),
+        turned=int(turned.sum()),
+        crowded=int(crowded.sum()),
+        largest_height=float(np.abs(measured.heights[kept]).max()),
+        largest_turn=float(measured.turns[kept].max()),
+    )

@@ -1,0 +1,119 @@
+"""What `grasp-inspect` says."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from planner.candidates.candidates import Candidates
+from planner.candidates.confirmed import confirmed_candidates
+from planner.exports.mjcf import PRIMITIVES
+from planner.objects.compiled import body_tree, compile_mjcf
+from planner.objects.graspable import Graspable
+from planner.objects.mass_doubts import union_volume
+from planner.objects.parts.polyhedron import Polyhedron
+from planner.objects.planar_object import PlanarObject
+from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.objects.surface_survey import survey_surface
+from planner.objects.visual import visual_difference, warn_of_difference
+
+WORLD = 0
+
+
+def bodies(path: Path) -> Iterator[str]:
+    """The bodies of a file, indented below their parents.
+
+    Raises:
+        ObjectError: If the file cannot be compiled.
+    """
+    model, _ = compile_mjcf(path)
+    tree = body_tree(model)
+    depths = [0]
+    for body in range(1, len(tree.names)):
+        parent = int(tree.parents[body])
+        depths.append(depths[parent] + 1)
+        indent = "  " * (depths[body] - 1)
+        yield (
+            f"body        {indent}{tree.names[body]}: {tree.masses[body]:.4g} kg, "
+            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(tree.joints[body], 'joint')}"
+        )
+    if tree.colliding_geoms[WORLD]:
+        yield f"body        world: {_counted(tree.colliding_geoms[WORLD], 'colliding geom')} that no body holds"
+
+
+def object_lines(rigid_object: RigidObject) -> Iterator[str]:
+    """Body, mass, size and surface of an object, what of it collides, and how that differs from what is seen."""
+    yield f"object      body {rigid_object.body!r}, sha256 {rigid_object.sha256[:12]}…"
+    volume = union_volume(rigid_object)
+    density = f", {rigid_object.mass / volume:.4g} kg per m3 of {1e6 * volume:.4g} cm3 that collide" if volume else ""
+    yield f"mass        {rigid_object.mass:.4g} kg{density}"
+    yield f"centre      ({_millimetres(rigid_object.center_of_mass)}) mm, the centre of mass in the body frame"
+    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in rigid_object.extent)} mm"
+    width = max(len(part.geom) for part in rigid_object.parts)
+    for part in rigid_object.parts:
+        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}"
+    difference = visual_difference(rigid_object)
+    yield f"visual      {difference or 'no mesh to compare with what collides'}"
+    warn_of_difference(rigid_object, difference)
+
+
+def planar_lines(planar: PlanarObject) -> Iterator[str]:
+    """Name, mass and outline of a planar object."""
+    outline = planar.outline
+    yield f"object      {planar.body!r}, planar, sha256 {planar.sha256[:12]}…"
+    yield f"mass        {planar.mass:.4g} kg"
+    yield f"centre      ({_millimetres(planar.center_of_mass)}) mm, the centre of mass in the body frame"
+    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in planar.extent)} mm"
+    yield (
+        f"outline     {len(outline.corners)} corners, perimeter {1000 * outline.lengths.sum():.4g} mm, "
+        f"friction {outline.friction:g}"
+    )
+
+
+def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | None) -> Iterator[str]:
+    """How many candidates there are, how far apart, what no finger reaches, and whether MuJoCo agrees."""
+    points = candidates.contacts.points
+    if isinstance(seen, RigidObject):
+        survey = survey_surface(seen, fingertip)
+        yield (
+            f"surface     {1e4 * survey.outer:.4g} cm2 outside, of {1e4 * survey.whole:.4g} cm2 on all parts; "
+            f"{1e4 * survey.reachable:.4g} cm2 leave room for a fingertip"
+        )
+        yield (
+            f"unreachable {survey.unreachable_samples} of {survey.samples} random points on the parts: inside or too "
+            "near other parts"
+        )
+    yield f"candidates  {len(candidates)}, {1000 * _spacing(points):.3g} mm apart"
+    if isinstance(seen, RigidObject):
+        confirmed = confirmed_candidates(seen, candidates)
+        yield (
+            f"mujoco      confirms {len(confirmed.candidates)} of them, to {confirmed.largest_height:.1g} m and "
+            f"{np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
+            f"{confirmed.turned} have another normal, {confirmed.crowded} touch another part"
+        )
+
+
+def _shape(part: ConvexPart) -> str:
+    """Type and size of a part; MuJoCo's size, of half lengths and radii, for what is no mesh."""
+    if isinstance(part, PRIMITIVES):
+        return f"{part.mjcf_type} of size {' '.join(f'{1000 * length:.4g}' for length in part.size)} mm"
+    edges = " x ".join(f"{1000 * edge:.4g}" for edge in np.ptp(part.bounds(), axis=0))
+    facets = f", {len(part.polygons)} facets" if isinstance(part, Polyhedron) else ""
+    return f"hull of {edges} mm{facets}"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
+
+
+def _spacing(points: np.ndarray) -> float:
+    """Median distance of a point to its nearest neighbour [m]."""
+    if len(points) < 2:
+        return 0.0
+    distances, _ = cKDTree(points).query(points, k=2)
+    return float(np.median(distances[:, 1]))
+
+
+def _millimetres(point: np.ndarray) -> str:
+    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)

@@ -1,0 +1,101 @@
+"""An object whose hollows MuJoCo fills, as an MJCF file of its own in which they are open.
+
+Every mesh geom whose convex hull is much larger than its mesh is cut into convex parts; everything else stays.
+Source of the cutting: Wei et al., Approximate Convex Decomposition for 3D Meshes with Collision-Aware Concavity and
+Tree Search (2022), the package `coacd`, an extra (`pip install rhograsp[decompose]`).
+"""
+
+import hashlib
+import logging
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from planner.errors import ObjectError
+from planner.exports.mjcf import write_mjcf
+from planner.objects.compiled import choose_object, compile_mjcf
+from planner.objects.filled_hollows import filled_hollows
+from planner.objects.mjcf import as_compiled
+from planner.objects.parts.polyhedron import Polyhedron
+from planner.objects.rigid_object import ConvexPart
+from planner.objects.visual import seen_triangles
+
+logger = logging.getLogger(__name__)
+
+SETTINGS = {
+    "threshold": 0.05,  # concavity allowed, relative to the mesh
+    "mcts_iterations": 60,
+    "mcts_max_depth": 2,
+    "resolution": 1000,
+    "decimate": True,
+    "max_ch_vertex": 64,  # MuJoCo is fast with small hulls
+    "seed": 0,
+}
+"""Of the cutting: coarser than the package's own, which takes minutes for a bowl."""
+
+
+def decompose(path: Path, body: str | None, folder: Path) -> tuple[Path, int]:
+    """Write the decomposed object, unless it is there already from the same files and settings.
+
+    Args:
+        path: The MJCF file of the object; it is not changed.
+        body: Name of the body that is the object.
+        folder: Where to write NAME.<digest>.convex.xml.
+
+    Returns:
+        The file to plan on (`path` itself if no hollow is filled) and the number of its convex parts.
+
+    Raises:
+        ObjectError: If the object cannot be read, `coacd` is not installed, or it finds no convex part.
+        OutputError: If the folder cannot be written.
+    """
+    model, _ = compile_mjcf(path)
+    compiled = choose_object(model, body)
+    rigid_object = as_compiled(path, compiled)
+    hollows = filled_hollows(compiled, rigid_object.parts)
+    if not hollows:
+        return path, len(rigid_object.parts)
+    out = folder / f"{path.stem}.{_key(rigid_object.sha256, rigid_object.body)}.convex.xml"
+    if not out.is_file():
+        parts: list[ConvexPart] = []
+        for number, part in enumerate(rigid_object.parts):
+            mesh = compiled.mesh(compiled.colliding[number]) if number in hollows else None
+            parts += [part] if mesh is None else convex_parts(*mesh, geom=part.geom, friction=part.friction)
+        write_mjcf(out, replace(rigid_object, parts=tuple(parts)), seen_triangles(compiled))
+    model, _ = compile_mjcf(out)
+    return out, len(choose_object(model, None).colliding)
+
+
+def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction: float) -> list[Polyhedron]:
+    """Convex parts of a mesh, named after its geom; slivers without a face to touch are left out.
+
+    Args:
+        vertices: Shape (n, 3) [m].
+        faces: Vertex numbers of its triangles, shape (faces, 3).
+        geom: Name of the geom.
+        friction: Of the geom.
+
+    Raises:
+        ObjectError: If `coacd` is not installed or finds no part.
+    """
+    try:
+        import coacd
+    except ImportError as error:
+        raise ObjectError("--decompose needs coacd; install it with: pip install 'rhograsp[decompose]'") from error
+    coacd.set_log_level("error")
+    pieces = coacd.run_coacd(coacd.Mesh(vertices, faces.astype(np.int32)), **SETTINGS)
+    parts = []
+    for number, (corners, _) in enumerate(pieces):
+        try:
+            parts.append(Polyhedron.hull(np.asarray(corners), geom=f"{geom}/{number}", friction=friction))
+        except ObjectError as error:
+            logger.warning("a piece of geom '%s' was left out: %s", geom, error)
+    if not parts:
+        raise ObjectError(f"coacd finds no convex part in geom '{geom}'; decompose its mesh by hand")
+    return parts
+
+
+def _key(sha256: str, body: str) -> str:
+    """Names the object and the settings."""
+    return hashlib.sha256(f"{sha256} {body} {SETTINGS}".encode()).hexdigest()[:12]

@@ -1,0 +1,87 @@
+"""What a report shows, as plain values for one JSON document. Body frame, SI."""
+
+import base64
+import shlex
+from collections.abc import Mapping
+from dataclasses import asdict
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from planner.exports.sharp_edges import sharp_edges
+from planner.grasp import Grasp
+from planner.objects.rigid_object import ConvexPart, RigidObject
+
+TIP_RADIUS = 0.02
+"""Radius of a drawn fingertip where no validation states it, relative to the object's size."""
+
+
+def report_data(
+    rigid_object: RigidObject, grasp: Grasp, file: str, validation: Mapping[str, Any] | None
+) -> dict[str, Any]:
+    """Everything the page needs.
+
+    Args:
+        rigid_object: The object, in space.
+        grasp: Its grasp, in space.
+        file: Name of the grasp file.
+        validation: The validation file's document as plain values, where there is one.
+    """
+    task = grasp.task
+    corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in rigid_object.parts])
+    return {
+        "file": file,
+        "object": {
+            "file": grasp.file.name,
+            "body": grasp.body,
+            "mass": grasp.mass,
+            "extent": rigid_object.extent.tolist(),
+            "sha256": grasp.sha256,
+        },
+        "size": rigid_object.size,
+        "center": (0.5 * (corners.min(axis=0) + corners.max(axis=0))).tolist(),
+        "mesh": _packed(np.concatenate([_surface(part) for part in rigid_object.parts])),
+        "edges": _packed(np.concatenate([_edges(part) for part in rigid_object.parts])),
+        "tip_radius": validation["static"]["tip_radius"] if validation else TIP_RADIUS * rigid_object.size,
+        "contacts": _contacts(grasp),
+        "task": task.name,
+        "reference_point": task.reference_point.tolist(),
+        "wrenches": task.wrenches.tolist(),
+        "phi": grasp.phi.tolist(),
+        "forces": grasp.forces.tolist(),
+        "rho": grasp.rho,
+        "lower_bound": grasp.lower_bound,
+        "gap": grasp.gap if isfinite(grasp.gap) else None,
+        "status": grasp.status.value.replace("_", " "),
+        "search": asdict(grasp.search),
+        "packages": grasp.packages,
+        "commands": {name: f"grasp-{name} {shlex.quote(file)}" for name in ("verify", "validate", "report")},
+        "validation": validation,
+    }
+
+
+def _contacts(grasp: Grasp) -> list[dict[str, Any]]:
+    contacts = grasp.contacts
+    columns = (contacts.points.tolist(), contacts.normals.tolist(), contacts.friction.tolist(), grasp.geoms)
+    names = ("position", "normal", "friction", "geom")
+    return [dict(zip(names, values, strict=True)) for values in zip(*columns, strict=True)]
+
+
+def _surface(part: ConvexPart) -> np.ndarray:
+    """Corners of a part's triangles with their exact outward normals, shape (3 triangles, 6)."""
+    triangles, facets = part.triangles()
+    corners = triangles.reshape(-1, 3)
+    _, inward = part.project(corners, np.repeat(facets, 3))
+    return np.hstack([corners, -inward])
+
+
+def _edges(part: ConvexPart) -> np.ndarray:
+    """Ends of a part's visible edges, with a normal that does not matter, shape (2 edges, 6)."""
+    ends = sharp_edges(part.triangles()[0]).reshape(-1, 3)
+    return np.hstack([ends, np.tile([0.0, 0.0, 1.0], (len(ends), 1))])
+
+
+def _packed(vertices: np.ndarray) -> str:
+    """Single precision, little endian, base 64: what the page hands to the graphics card."""
+    return base64.b64encode(vertices.astype("<f4").tobytes()).decode()

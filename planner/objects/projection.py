@@ -1,0 +1,26 @@
+"""Points on the exact surface of an object's parts."""
+
+import numpy as np
+
+from planner.objects.graspable import Graspable
+
+
+def project(
+    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Points of the exact surface nearest to given ones on given facets, and the inward unit normals there.
+
+    Args:
+        rigid_object: The object.
+        points: Shape (n, d) [m].
+        part: Part of each point, shape (n,).
+        facet: Facet of each point, shape (n,).
+
+    Returns:
+        Two arrays of shape (n, d).
+    """
+    feet, normals = np.empty_like(points), np.empty_like(points)
+    for index in np.unique(part):
+        here = part == index
+        feet[here], normals[here] = rigid_object.parts[index].project(points[here], facet[here])
+    return feet, normals

@@ -1,0 +1,116 @@
+"""How far the object that is seen lies from the object that MuJoCo collides.
+
+Random points of the visual meshes are compared with the outer collision surface. The distance found is that to some
+point of it: exact on open faces, and up to a percent of the object's size too large beside hidden ones.
+Frame: body frame B, SI.
+"""
+
+import logging
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+from trimesh.triangles import closest_point
+
+from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.objects.exposure import exposed
+from planner.objects.projection import project
+from planner.objects.rigid_object import RigidObject
+from planner.objects.sampling import random_points, whole_surface
+from planner.objects.vectors import norm
+
+logger = logging.getLogger(__name__)
+
+LARGE = 0.02
+"""A 95th percentile above this share of the object's size deserves a warning."""
+
+SEEN, TOUCHED = 1000, 10_000
+"""Random points of the visual meshes, and of the parts' surfaces."""
+
+NEIGHBOURS = 8
+"""Triangles near a visual point that are asked for their own nearest point."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class VisualDifference:
+    """Distances from the visual meshes to the collision surface."""
+
+    typical: float
+    """95th percentile over the visual surface [m]."""
+
+    largest: float
+    """[m]"""
+
+    where: np.ndarray
+    """The visual point farthest from the collision surface, shape (3,) [m]."""
+
+    size: float
+    """Of the object [m]."""
+
+    @property
+    def large(self) -> bool:
+        """Whether what is seen is hardly what is grasped."""
+        return self.typical > LARGE * self.size
+
+    def __str__(self) -> str:
+        where = ", ".join(f"{1000 * coordinate:.4g}" for coordinate in self.where)
+        return (
+            f"{1000 * self.typical:.2g} mm ({self.typical / self.size:.1%} of the size) off the collision surface at "
+            f"the 95th percentile, at most {1000 * self.largest:.2g} mm, at ({where}) mm"
+        )
+
+
+def visual_difference(rigid_object: RigidObject) -> VisualDifference | None:
+    """Compare the object's visual meshes, or else its colliding meshes before hulls are taken, with what collides.
+
+    Args:
+        rigid_object: The object; its file is compiled again.
+
+    Returns:
+        None for an object without meshes.
+
+    Raises:
+        ObjectError: If the file cannot be compiled any more.
+    """
+    model, _ = compile_mjcf(rigid_object.file)
+    triangles = seen_triangles(choose_object(model, rigid_object.body))
+    if not len(triangles):
+        return None
+    generator = np.random.Generator(np.random.PCG64(0))
+    points, _ = random_points(triangles, SEEN, generator)
+    distances = _distances(rigid_object, points, generator)
+    worst = int(distances.argmax())
+    return VisualDifference(
+        typical=float(np.percentile(distances, 95)),
+        largest=float(distances[worst]),
+        where=points[worst],
+        size=rigid_object.size,
+    )
+
+
+def warn_of_difference(rigid_object: RigidObject, difference: VisualDifference | None) -> None:
+    """Log a warning when what is seen is hardly what is grasped."""
+    if difference is not None and difference.large:
+        logger.warning("the visual mesh of body '%s' is %s", rigid_object.body, difference)
+
+
+def seen_triangles(compiled: CompiledObject) -> np.ndarray:
+    """Triangles of the meshes that are seen and do not collide, or else of those that do, shape (n, 3, 3) [m]."""
+    meshes = compiled.meshes(colliding=False) or compiled.meshes(colliding=True)
+    found = [vertices[faces] for vertices, faces in map(compiled.mesh, meshes)]
+    return np.concatenate([*found, np.zeros((0, 3, 3))])
+
+
+def _distances(rigid_object: RigidObject, points: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+    """To the outer surface, shape (n,) [m]: to the triangles on which the nearest of many random points lie."""
+    triangles, part, facet = whole_surface(rigid_object)
+    drawn, index = random_points(triangles, TOUCHED, generator)
+    drawn, normals = project(rigid_object, drawn, part[index], facet[index])
+    outside = exposed(rigid_object, drawn, normals, part[index])
+    nearest, neighbours = cKDTree(drawn[outside]).query(points, k=NEIGHBOURS)
+    near = index[outside][neighbours.ravel()]
+    repeated = np.repeat(points, NEIGHBOURS, axis=0)
+    feet, normals = project(rigid_object, closest_point(triangles[near], repeated), part[near], facet[near])
+    hidden = ~exposed(rigid_object, feet, normals, part[near])
+    to_feet = np.where(hidden, np.inf, norm(feet - repeated)).reshape(neighbours.shape)
+    return np.minimum(to_feet.min(axis=1), nearest[:, 0])

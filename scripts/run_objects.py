@@ -1,0 +1,159 @@
+"""Every object of a folder, planned and validated with 3 and 4 fingers on two tasks: one table.
+
+    python scripts/run_objects.py                      # this project's own objects
+    python scripts/run_objects.py DIR --out objects.md
+
+An object is a folder's MJCF file that no other file of the folder includes. Exits non-zero if any verdict is not pass
+or anything cannot be read.
+"""
+
+import logging
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from time import perf_counter
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import mujoco
+import tyro
+
+from planner.atomic_write import require_writable, write_atomically
+from planner.candidates.choice import make_candidates
+from planner.candidates.confirmed import confirmed_candidates
+from planner.commands.terminal import ExitCode, parse, run
+from planner.errors import ObjectError, RhograspError
+from planner.grasp import Grasp
+from planner.objects.mjcf import read_object
+from planner.objects.rigid_object import RigidObject
+from planner.plan import plan
+from planner.search.certified import CertifiedSearch
+from planner.search.result import Status
+from planner.task import make_task
+from sim.validate import Validation, validate
+
+ASSETS = Path(__file__).resolve().parents[1] / "assets"
+FINGERS = (3, 4)
+TASKS = ("gravity", "paper")
+HEADER = "| object | task | fingers | candidates | rho [N] | gap | plan [s] | verdict | measured / predicted rho |"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """Plan and validate every object of a folder with 3 and 4 fingers on two tasks, and print a table."""
+
+    folder: tyro.conf.Positional[Path] = ASSETS
+    """Folder of objects, one in each of its folders; by default this project's own."""
+
+    candidates: int = 300
+    """Evenly spread candidates per object."""
+
+    time_limit: float = 300.0
+    """Seconds after which a search stops with the gap it has."""
+
+    measure: bool = True
+    """Measure rho by bisection, beside the verdict."""
+
+    out: Path | None = None
+    """Markdown file to write the table to."""
+
+
+class Row(NamedTuple):
+    """One line of the table, and whether it is as it should be."""
+
+    text: str
+    good: bool
+
+
+def objects(folder: Path) -> list[Path]:
+    """Files that hold objects: in each folder, those MJCF files that no other file of it depends on.
+
+    Raises:
+        ObjectError: If there is none.
+    """
+    if not folder.is_dir():
+        raise ObjectError(f"there is no folder '{folder}'; name one that holds a folder for each object")
+    found = []
+    for home in sorted(path for path in folder.iterdir() if path.is_dir()):
+        files = {path.resolve() for path in home.rglob("*.xml")}
+        included = {name for path in files for name in _included(path)}
+        found += sorted(files - included)
+    if not found:
+        raise ObjectError(f"no folder in '{folder}' holds an MJCF file")
+    return found
+
+
+def _included(path: Path) -> set[Path]:
+    """What a file depends on; a fragment, which is no model by itself, names itself."""
+    try:
+        fragment = ElementTree.parse(path).getroot().tag == "mujocoinclude"
+        needed = {Path(name).resolve() for name in mujoco.mju_getXMLDependencies(str(path))}
+    except (ElementTree.ParseError, mujoco.FatalError):
+        return set()  # a broken file becomes a row that says so
+    return needed if fragment else needed - {path}
+
+
+def rows(path: Path, options: Options) -> Iterator[Row]:
+    """The four lines of an object, or one with the reason why there are none."""
+    name = path.relative_to(options.folder.resolve()).parts[0]
+    try:
+        rigid_object = read_object(path)
+        spread = make_candidates(rigid_object, str(options.candidates), None, seed=0)
+        candidates = confirmed_candidates(rigid_object, spread).candidates
+        for task_name, fingers in product(TASKS, FINGERS):
+            task = make_task(task_name, rigid_object)
+            began = perf_counter()
+            search = CertifiedSearch(time_limit=options.time_limit)
+            grasp = plan(rigid_object, task, candidates, fingers, search)
+            yield row(f"{name} | {task_name} | {fingers}", rigid_object, grasp, perf_counter() - began, options)
+    except RhograspError as error:
+        yield Row(f"| {name} | {error} |", good=False)
+
+
+def row(label: str, rigid_object: RigidObject, grasp: Grasp, seconds: float, options: Options) -> Row:
+    """One grasp, validated."""
+    left = f"| {label} | {grasp.search.candidates}"
+    if not grasp.found:
+        proven = grasp.status is Status.INFEASIBLE
+        return Row(f"{left} | {grasp.status} | | {seconds:.2f} | | |", good=proven)
+    validation = validate(
+        rigid_object,
+        grasp.contacts,
+        grasp.task.reference_point,
+        grasp.task.wrenches,
+        grasp.rho,
+        grasp.critical_wrench,
+        grasp.phi,
+        measure=options.measure,
+    )
+    text = (
+        f"{left} | {grasp.rho:.4g} | {grasp.gap:.2%} | {seconds:.2f} | {validation.verdict} | {measured(validation)} |"
+    )
+    return Row(text, good=bool(validation.verdict) and grasp.status is Status.OPTIMAL)
+
+
+def measured(validation: Validation) -> str:
+    """The measured rho over the predicted one."""
+    return "" if validation.critical_force is None else f"{validation.critical_force.ratio:.4f}"
+
+
+def run_objects(options: Options) -> ExitCode:
+    """Print the table row by row, and save it."""
+    logging.getLogger("planner").setLevel(logging.ERROR)  # warnings are what grasp-inspect is for
+    if options.out is not None:
+        require_writable(options.out)
+    lines, good = [HEADER, "|---" * HEADER.count(" | ") + "|---|"], True
+    print("\n".join(lines))
+    for path in objects(options.folder):
+        for each in rows(path, options):
+            print(each.text, flush=True)
+            lines.append(each.text)
+            good &= each.good
+    if options.out is not None:
+        write_atomically(options.out, "\n".join([*lines, ""]).encode())
+    return ExitCode.DONE if good else ExitCode.FAILED
+
+
+if __name__ == "__main__":
+    run(lambda: run_objects(parse(Options, "run_objects.py")))

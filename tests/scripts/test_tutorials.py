@@ -1,0 +1,64 @@
+"""Every tutorial runs as its docstring says, and its output bears out what it teaches."""
+
+import contextlib
+import io
+import re
+import runpy
+import sys
+from pathlib import Path
+
+import pytest
+
+from planner.grasp_file import read_grasp
+from tests.commands import ROOT, says
+
+TUTORIALS = ROOT / "scripts" / "tutorials"
+
+
+def output(name: str, *arguments: object) -> str:
+    """What a tutorial prints."""
+    script = str(TUTORIALS / f"{name}.py")
+    with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(io.StringIO()) as said:
+        patch.setattr(sys, "argv", [script, *map(str, arguments)])
+        runpy.run_path(script, run_name="__main__")
+    return said.getvalue()
+
+
+def numbers(pattern: str, text: str) -> list[float]:
+    return [float(match) for match in re.findall(pattern, text)]
+
+
+def test_an_own_object_is_planned_checked_and_shown(tmp_path: Path) -> None:
+    text = output("own_object", "--folder", tmp_path)
+    assert says(text, "6 of 6 claims hold")
+    assert read_grasp(tmp_path / "hammer.grasp.json").rho == pytest.approx(
+        numbers(r"need ([\d.]+) N, on", text)[0], 1e-3
+    )
+    assert (tmp_path / "hammer.report.html").stat().st_size > 50_000
+
+
+def test_a_task_that_contains_another_needs_more() -> None:
+    narrow, wide = numbers(r"rho +([\d.]+) N", output("design_a_task"))
+    assert wide > 2 * narrow
+
+
+def test_rougher_fingertips_never_need_more_and_no_grasp_beats_the_best() -> None:
+    rows = [line.split() for line in output("compare_frictions").splitlines()[1:]]
+    best, kept = [float(row[1]) for row in rows], [float(row[-1]) for row in rows]
+    assert best == sorted(best, reverse=True)
+    assert best[0] == kept[0]
+    assert all(old >= 0.999 * new for old, new in zip(kept, best, strict=True))
+    assert kept[-1] > 1.05 * best[-1]  # the best contacts have moved
+
+
+def test_more_fingers_carry_more_and_mujoco_agrees() -> None:
+    text = output("size_a_finger")
+    payloads = numbers(r"carry ([\d.]+) kg", text)
+    assert len(payloads) == 3
+    assert payloads == sorted(payloads)
+    assert says(text, "MuJoCo says pass")
+
+
+def test_every_tutorial_has_a_test() -> None:
+    tested = set(re.findall(r'output\("(\w+)"', Path(__file__).read_text()))
+    assert tested == {path.stem for path in TUTORIALS.glob("*.py")}
