@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 
 from planner.errors import CandidateError
+from planner.grasp import Grasp
+from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
 from planner.search.lower_bounds import Bound
 from planner.search.paper import PaperSearch, all_subsets
+from planner.search.problem import SearchProblem
 from planner.search.result import Status
 from tests.planner.search.instances import random_problem
 
@@ -41,3 +44,20 @@ def test_a_list_too_long_for_memory_is_refused() -> None:
     huge = type(problem)(contacts=many, fingers=4, reference_point=problem.reference_point, wrenches=problem.wrenches)
     with pytest.raises(CandidateError, match="certified search"):
         PaperSearch().run(huge)
+
+
+def test_all_searches_agree_with_enumeration_on_a_reduced_case_3(golden_grasp: Grasp) -> None:
+    kept = np.union1d(np.arange(0, 217, 11), golden_grasp.candidates)
+    problem = SearchProblem(
+        contacts=golden_grasp.certificate.candidates.subset(kept),
+        fingers=3,
+        reference_point=golden_grasp.task.reference_point,
+        wrenches=golden_grasp.task.wrenches,
+    )
+    best = exhaustive_search(problem)
+    assert best is not None
+    for search in (PaperSearch(), PaperSearch(bound="subproblem 2"), CertifiedSearch()):
+        result = search.run(problem)
+        assert result.rho == pytest.approx(best.rho, rel=1e-3)
+        assert result.lower_bound <= best.rho * (1 + 1e-7)
+        assert kept[result.grasps[0].subset].tolist() == sorted(golden_grasp.candidates.tolist())
