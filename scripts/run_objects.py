@@ -31,7 +31,7 @@ from planner.plan import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validate import Validation, validate
+from sim.validate import Validation, validate_grasp
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
 FINGERS = (3, 4)
@@ -117,16 +117,7 @@ def row(label: str, rigid_object: RigidObject, grasp: Grasp, seconds: float, opt
     if not grasp.found:
         proven = grasp.status is Status.INFEASIBLE
         return Row(f"{left} | {grasp.status} | | {seconds:.2f} | | |", good=proven)
-    validation = validate(
-        rigid_object,
-        grasp.contacts,
-        grasp.task.reference_point,
-        grasp.task.wrenches,
-        grasp.rho,
-        grasp.critical_wrench,
-        grasp.phi,
-        measure=options.measure,
-    )
+    validation = validate_grasp(rigid_object, grasp, measure=options.measure)
     text = (
         f"{left} | {grasp.rho:.4g} | {grasp.gap:.2%} | {seconds:.2f} | {validation.verdict} | {measured(validation)} |"
     )

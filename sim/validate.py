@@ -14,6 +14,7 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SimulationError
+from planner.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.beyond import Beyond, measure_beyond
 from sim.control import Control
@@ -77,6 +78,45 @@ class Validation:
 
     versions: dict[str, str]
     """Of the packages that can change the outcome."""
+
+
+def validate_grasp(
+    rigid_object: RigidObject,
+    grasp: Grasp,
+    protocol: ValidationProtocol = ACTIVE,
+    *,
+    measure: bool = False,
+    thorough: bool = False,
+    observe: Callable[[str], None] = lambda _: None,
+) -> Validation:
+    """Validate a planned grasp with the friction it was planned with; see `validate`.
+
+    Args:
+        rigid_object: What the fingers hold.
+        grasp: In space, with contacts.
+        protocol: Settings and thresholds.
+        measure: Bisect the cap of every wrench too.
+        thorough: Load the grasp with more than the vertices too.
+        observe: Called with a line of progress now and then.
+
+    Raises:
+        SimulationError: When there are no contacts, or the experiment cannot be built or run as described.
+    """
+    if not grasp.found:
+        raise SimulationError(f"there is no grasp to validate: the search ended with status {grasp.status}")
+    return validate(
+        rigid_object,
+        grasp.contacts,
+        grasp.task.reference_point,
+        grasp.task.wrenches,
+        grasp.rho,
+        grasp.critical_wrench,
+        grasp.phi,
+        protocol,
+        measure=measure,
+        thorough=thorough,
+        observe=observe,
+    )
 
 
 def validate(

@@ -7,7 +7,7 @@ from planner.objects.mjcf import read_object
 from planner.plan import plan
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validate import validate
+from sim.validate import validate_grasp
 from tests.commands import ASSETS
 
 OBJECTS = sorted(path.parent.name for path in ASSETS.glob("*/*.xml"))
@@ -21,7 +21,5 @@ def test_an_asset_plans_and_passes_in_mujoco(name: str, fingers: int) -> None:
     candidates = make_candidates(rigid_object, "100", None, seed=0)
     grasp = plan(rigid_object, task, candidates, fingers)
     assert grasp.status is Status.OPTIMAL
-    validation = validate(
-        rigid_object, grasp.contacts, task.reference_point, task.wrenches, grasp.rho, grasp.critical_wrench, grasp.phi
-    )
+    validation = validate_grasp(rigid_object, grasp)
     assert validation.verdict, validation.reasons

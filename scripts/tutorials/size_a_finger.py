@@ -16,7 +16,7 @@ from planner.candidates.choice import make_candidates
 from planner.objects.mjcf import read_object
 from planner.plan import plan
 from planner.task import make_task
-from sim.validate import validate
+from sim.validate import validate_grasp
 
 BOX = Path(__file__).resolve().parents[2] / "assets" / "box" / "box.xml"
 ACTUATOR = 10.0
@@ -34,10 +34,7 @@ def main() -> None:
         print(
             f"{fingers} fingers: rho {grasp.rho:.3f} N; {ACTUATOR:g} N per finger carry {payload:.2f} kg of this shape"
         )
-    validation = validate(
-        box, grasp.contacts, task.reference_point, task.wrenches, grasp.rho, grasp.critical_wrench, grasp.phi
-    )
-    print(f"MuJoCo says {validation.verdict}")
+    print(f"MuJoCo says {validate_grasp(box, grasp).verdict}")
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from sim.commands.validation_report import summary
 from sim.protocol import ACTIVE, STRICT
 from sim.squeeze import measure_squeeze_force
 from sim.squeeze_file import write_squeeze
-from sim.validate import validate
+from sim.validate import validate_grasp
 from sim.validation_file import write_validation
 
 if TYPE_CHECKING:
@@ -37,14 +37,9 @@ Test = Callable[[RigidObject, Grasp, "Options", Callable[[str], None]], Outcome]
 
 def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Callable[[str], None]) -> Outcome:
     """Forces that adapt to every wrench, capped around rho."""
-    validation = validate(
+    validation = validate_grasp(
         rigid_object,
-        grasp.contacts,
-        grasp.task.reference_point,
-        grasp.task.wrenches,
-        grasp.rho,
-        grasp.critical_wrench,
-        grasp.phi,
+        grasp,
         STRICT if options.strict else ACTIVE,
         measure=options.measure or options.thorough,
         thorough=options.thorough,

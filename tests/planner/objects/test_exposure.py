@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from planner.objects.exposure import FINGERTIP, exposed, reachable
+from planner.objects.parts.box import Box
 from tests.planner.objects.shapes import box, rigid_object
 
 UP = np.array([[0.0, 0.0, -1.0]])  # inward normal of a top face
@@ -20,8 +21,8 @@ UP = np.array([[0.0, 0.0, -1.0]])  # inward normal of a top face
         (box((1, 0, 2), (0.999, 1, 1)), True),  # a step next to the point
     ],
 )
-def test_a_face_is_reachable_unless_another_part_covers_it(neighbour: object, open_: bool) -> None:
-    thing = rigid_object(box((0, 0, 0), (1, 1, 1)), neighbour)  # type: ignore[arg-type]
+def test_a_face_is_reachable_unless_another_part_covers_it(neighbour: Box, open_: bool) -> None:
+    thing = rigid_object(box((0, 0, 0), (1, 1, 1)), neighbour)
     assert exposed(thing, np.array([[0.0, 0.0, 1.0]]), UP, np.array([0])).tolist() == [open_]
 
 
