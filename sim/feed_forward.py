@@ -115,8 +115,7 @@ class FeedForward:
         return best
 
     def _in_body_axes(self, forces: np.ndarray) -> np.ndarray:
-        turned: np.ndarray = np.einsum("ide,ie->id", self.frames, forces)
-        return turned
+        return np.einsum("ide,ie->id", self.frames, forces)
 
     def _solve(self, wrench: np.ndarray, angle: float) -> tuple[np.ndarray, float]:
         """Forces of least largest norm at one friction angle, and that norm; infinite where there are none."""

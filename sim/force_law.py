@@ -23,8 +23,7 @@ def saturated(forces: np.ndarray, caps: np.ndarray) -> np.ndarray:
         Shape (..., d) [N].
     """
     norms = np.sqrt(np.einsum("...d,...d->...", forces, forces))
-    shortened: np.ndarray = forces * np.minimum(1.0, caps / np.maximum(norms, TINY))[..., None]
-    return shortened
+    return forces * np.minimum(1.0, caps / np.maximum(norms, TINY))[..., None]
 
 
 def finger_forces(

@@ -54,8 +54,7 @@ class Measurement:
     @property
     def slip(self) -> np.ndarray:
         """Largest slip of a loaded finger over R0, shape (simulations,); zero where none is loaded."""
-        largest: np.ndarray = np.where(self.loaded, self.slips, 0.0).max(axis=1)
-        return largest
+        return np.where(self.loaded, self.slips, 0.0).max(axis=1)
 
     def rows(self, selection: slice) -> "Measurement":
         """The selected simulations."""
@@ -112,5 +111,4 @@ def _unrotated(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """R^T v for unit quaternions, shape (n, 4), and vectors, shape (n, m, 3)."""
     scalar, axis = quaternions[:, None, :1], -quaternions[:, None, 1:]
     turned = np.cross(axis, vectors)
-    rotated: np.ndarray = vectors + 2 * (scalar * turned + np.cross(axis, turned))
-    return rotated
+    return vectors + 2 * (scalar * turned + np.cross(axis, turned))

@@ -15,5 +15,4 @@ def fractions(protocol: ValidationProtocol) -> np.ndarray:
     """Squeeze s and load fraction a of every time step, shape (steps, 2)."""
     times = np.arange(1, round(protocol.duration / protocol.timestep) + 1) * protocol.timestep
     starts, lengths = [0.0, protocol.preload_time], [protocol.preload_time, protocol.ramp_time]
-    grown: np.ndarray = np.clip((times[:, None] - starts) / lengths, 0.0, 1.0)
-    return grown
+    return np.clip((times[:, None] - starts) / lengths, 0.0, 1.0)

@@ -28,13 +28,11 @@ class Similarity:
 
     def points(self, points: np.ndarray) -> np.ndarray:
         """Map positions, shape (..., 3)."""
-        mapped: np.ndarray = (points - self.reference_point) * self.length
-        return mapped
+        return (points - self.reference_point) * self.length
 
     def wrenches(self, wrenches: np.ndarray) -> np.ndarray:
         """Map wrenches about p_o, shape (..., 6)."""
-        mapped: np.ndarray = wrenches * self.force * np.repeat([1.0, self.length], 3)
-        return mapped
+        return wrenches * self.force * np.repeat([1.0, self.length], 3)
 
     def contacts(self, contacts: Contacts) -> Contacts:
         """Map contact points; normals and friction have no unit."""

@@ -61,5 +61,4 @@ def neighbour_blocks(pool: np.ndarray) -> np.ndarray:
 
 def _squared(vectors: np.ndarray) -> np.ndarray:
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
-    squared: np.ndarray = x * x + y * y + z * z
-    return squared
+    return x * x + y * y + z * z

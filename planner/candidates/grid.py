@@ -99,5 +99,4 @@ class _Grid:
         in_plane = np.stack(np.meshgrid(along_u, along_v, indexing="ij"), axis=-1).reshape(-1, 2)
         points = in_plane @ self.axes + (self.corners[0] @ self.normal) * self.normal
         inside = (edge_distances(self.corners, self.normal, points) > margin).all(axis=1)
-        chosen: np.ndarray = points[inside]
-        return chosen
+        return points[inside]

@@ -42,8 +42,7 @@ class Pose:
 
     def to_body(self, points: np.ndarray) -> np.ndarray:
         """Points of G in B, shape (..., 3) [m]."""
-        placed: np.ndarray = self.position + self.rotate(points)
-        return placed
+        return self.position + self.rotate(points)
 
     def to_local(self, points: np.ndarray) -> np.ndarray:
         """Points of B in G, shape (..., 3) [m]."""
@@ -65,5 +64,4 @@ class Pose:
 def _combine(coefficients: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """sum_k coefficients[..., k] rows[k], in a fixed order of additions."""
     x, y, z = coefficients[..., 0:1], coefficients[..., 1:2], coefficients[..., 2:3]
-    combined: np.ndarray = x * rows[0] + y * rows[1] + z * rows[2]
-    return combined
+    return x * rows[0] + y * rows[1] + z * rows[2]

@@ -118,8 +118,7 @@ class _Patches:
 
     def lengths(self) -> np.ndarray:
         """Longest edge of each triangle, shape (triangles,) [m]."""
-        lengths: np.ndarray = norm(self.triangles - np.roll(self.triangles, 1, axis=1)).max(axis=1)
-        return lengths
+        return norm(self.triangles - np.roll(self.triangles, 1, axis=1)).max(axis=1)
 
     def buried(self) -> np.ndarray:
         """Whether one other part holds the whole patch, lifted to a height of `exposed`, shape (triangles,)."""

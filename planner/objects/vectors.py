@@ -5,8 +5,7 @@ import numpy as np
 
 def norm(vectors: np.ndarray) -> np.ndarray:
     """Euclidean lengths over the last axis."""
-    lengths: np.ndarray = np.sqrt((vectors * vectors).sum(axis=-1))
-    return lengths
+    return np.sqrt((vectors * vectors).sum(axis=-1))
 
 
 def unit(vectors: np.ndarray) -> np.ndarray:

@@ -201,7 +201,7 @@ class _Run:
 
     def drop(self, bounds: np.ndarray) -> np.ndarray:
         """Which bounds exceed the threshold; the largest of the others is remembered."""
-        open_: np.ndarray = bounds > self.threshold
+        open_ = bounds > self.threshold
         self.pruned_bound = max(self.pruned_bound, float(bounds[~open_].max(initial=0.0)))
         return open_
 

@@ -42,10 +42,8 @@ class Box(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     def vertices(self) -> np.ndarray:
         """The box's own corners, shape (l, D), l = 2^(number of half-widths that are not zero)."""
         ends = [(-width, width) if width else (0.0,) for width in self._half_widths]
-        vertices: np.ndarray = self._center + np.array(list(product(*ends)))
-        return vertices
+        return self._center + np.array(list(product(*ends)))
 
     def support(self, directions: np.ndarray) -> np.ndarray:
         """u.c + sum_k |u_k| (F, M)_k, shape (k,)."""
-        values: np.ndarray = directions @ self._center + np.abs(directions) @ self._half_widths
-        return values
+        return directions @ self._center + np.abs(directions) @ self._half_widths

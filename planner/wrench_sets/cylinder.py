@@ -50,8 +50,7 @@ class Cylinder(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     def support(self, directions: np.ndarray) -> np.ndarray:
         """F |u_f| + M |u_m|, shape (k,)."""
         forces, moments = directions[:, : self.dimension], directions[:, self.dimension :]
-        values: np.ndarray = np.linalg.norm(self.force * forces, axis=1) + np.linalg.norm(self.moment * moments, axis=1)
-        return values
+        return np.linalg.norm(self.force * forces, axis=1) + np.linalg.norm(self.moment * moments, axis=1)
 
 
 def _around(radius: float, dimension: int, facets: int | None) -> np.ndarray:

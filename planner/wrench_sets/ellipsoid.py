@@ -68,19 +68,16 @@ class Ellipsoid(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     def _map(self) -> np.ndarray:
         """R diag(a) without its zero columns, shape (D, number of positive semi-axes)."""
         semi_axes = self._semi_axes
-        columns: np.ndarray = (self._rotation * semi_axes)[:, semi_axes > 0]
-        return columns
+        return (self._rotation * semi_axes)[:, semi_axes > 0]
 
     def vertices(self) -> np.ndarray:
         """The image of a polytope around the unit ball, shape (l, D)."""
         linear = self._map
         ball = circumscribed_ball(linear.shape[1], self.facets)
-        vertices: np.ndarray = center_vector(self.center, len(linear)) + ball @ linear.T
-        return vertices
+        return center_vector(self.center, len(linear)) + ball @ linear.T
 
     def support(self, directions: np.ndarray) -> np.ndarray:
         """u.c + |diag(a) R^T u|, shape (k,)."""
         linear = self._map
         center = center_vector(self.center, len(linear))
-        values: np.ndarray = directions @ center + np.linalg.norm(directions @ linear, axis=1)
-        return values
+        return directions @ center + np.linalg.norm(directions @ linear, axis=1)

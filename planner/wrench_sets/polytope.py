@@ -35,10 +35,8 @@ class Polytope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         """The wrenches in the order given, without repetition, shape (l, D)."""
         wrenches = self._wrenches
         first = np.sort(np.unique(wrenches, axis=0, return_index=True)[1])
-        vertices: np.ndarray = wrenches[first]
-        return vertices
+        return wrenches[first]
 
     def support(self, directions: np.ndarray) -> np.ndarray:
         """max_j u.w_j, shape (k,)."""
-        values: np.ndarray = (directions @ self._wrenches.T).max(axis=1)
-        return values
+        return (directions @ self._wrenches.T).max(axis=1)

@@ -31,5 +31,4 @@ class Single(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
     def support(self, directions: np.ndarray) -> np.ndarray:
         """u.w, shape (k,)."""
-        values: np.ndarray = directions @ self._wrench
-        return values
+        return directions @ self._wrench

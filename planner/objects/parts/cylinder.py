@@ -75,13 +75,10 @@ class Cylinder:
     def depth(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.depth`."""
         local = self.pose.to_local(points)
-        depth: np.ndarray = np.minimum(self._side_depth(local), self._cap_depth(local))
-        return depth
+        return np.minimum(self._side_depth(local), self._cap_depth(local))
 
     def _side_depth(self, local: np.ndarray) -> np.ndarray:
-        depth: np.ndarray = self.radius - norm(local[:, :2])
-        return depth
+        return self.radius - norm(local[:, :2])
 
     def _cap_depth(self, local: np.ndarray) -> np.ndarray:
-        depth: np.ndarray = self.half_length - np.abs(local[:, 2])
-        return depth
+        return self.half_length - np.abs(local[:, 2])

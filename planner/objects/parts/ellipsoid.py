@@ -60,8 +60,7 @@ class Ellipsoid:
     def depth(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.depth`; magnitude: the shortest semi-axis times 1 - gauge."""
         gauge = norm(self.pose.to_local(points) / self.semi_axes)
-        depth: np.ndarray = self.semi_axes.min() * (1 - gauge)
-        return depth
+        return self.semi_axes.min() * (1 - gauge)
 
     def _nearest(self, local: np.ndarray) -> np.ndarray:
         """Nearest points of the surface: x_k = a_k^2 y_k / (t + a_k^2), with t the largest root of
@@ -83,5 +82,4 @@ class Ellipsoid:
             slope = -2 * (terms * terms / (shift[:, None] + axes * axes)).sum(axis=1)
             shift = shift - np.minimum(excess / slope, 0.0)
         nearest = axes * axes * point / (shift[:, None] + axes * axes)
-        signed: np.ndarray = np.copysign(nearest, local) * unit_length
-        return signed
+        return np.copysign(nearest, local) * unit_length

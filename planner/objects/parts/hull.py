@@ -121,8 +121,7 @@ def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.
     order = np.lexsort(plane_points.T[::-1])
     chain = [*_half_outline(plane_points, order), *_half_outline(plane_points, order[::-1])]
     start = chain.index(min(chain))
-    outline: np.ndarray = corners[chain[start:] + chain[:start]]
-    return outline
+    return corners[chain[start:] + chain[:start]]
 
 
 def _half_outline(points: np.ndarray, order: np.ndarray) -> list[int]:

@@ -62,8 +62,7 @@ class Polyhedron:
     def nearest_facet(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.nearest_facet`; the first of equally near facets."""
         slack = self._slack(points)
-        first: np.ndarray = (slack <= slack.min(axis=1, keepdims=True) + TIE * self._length).argmax(axis=1)
-        return first
+        return (slack <= slack.min(axis=1, keepdims=True) + TIE * self._length).argmax(axis=1)
 
     def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """See `ConvexPart.project`."""
@@ -81,8 +80,7 @@ class Polyhedron:
 
     def _slack(self, points: np.ndarray) -> np.ndarray:
         """How far each point lies below each facet's plane, shape (n, facets) [m]."""
-        slack: np.ndarray = self.offsets - points @ self.normals.T
-        return slack
+        return self.offsets - points @ self.normals.T
 
     @property
     def _length(self) -> float:
@@ -102,8 +100,7 @@ def edge_distances(corners: np.ndarray, normal: np.ndarray, points: np.ndarray) 
     """
     edges = np.roll(corners, -1, axis=0) - corners
     inward = np.cross(normal, edges) / norm(edges)[:, None]
-    distances: np.ndarray = points @ inward.T - (corners * inward).sum(axis=1)
-    return distances
+    return points @ inward.T - (corners * inward).sum(axis=1)
 
 
 def _nearest_in_polygon(corners: np.ndarray, normal: np.ndarray, point: np.ndarray) -> np.ndarray:
@@ -113,5 +110,4 @@ def _nearest_in_polygon(corners: np.ndarray, normal: np.ndarray, point: np.ndarr
     edges = np.roll(corners, -1, axis=0) - corners
     along = ((point - corners) * edges).sum(axis=1) / (edges * edges).sum(axis=1)
     feet = corners + np.clip(along, 0, 1)[:, None] * edges
-    nearest: np.ndarray = feet[norm(feet - point).argmin()]
-    return nearest
+    return feet[norm(feet - point).argmin()]
