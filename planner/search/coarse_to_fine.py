@@ -62,7 +62,7 @@ class CoarseToFine:
         trace: list[Progress] = []
         chosen = spread(problem.contacts, max(self.coarse, problem.fingers))
         for _ in range(MOST_ROUNDS):
-            stage = self.search.run(replace(problem, contacts=problem.contacts.subset(chosen)), observe)
+            stage = self.search.run(problem.among(chosen), observe)
             trace += stage.trace
             found = stage.incumbent
             if best is not None and stage.rho >= best.rho * (1 - self.search.gap):

@@ -4,43 +4,28 @@ With h_i(lambda) the support function of G_i (K_i ∩ B) and c(lambda) = max_j -
 
     1 / rho_N  <=  sum_{i in N} a_i(lambda),      a_i = h_i / c       [1/N].
 
-So problem (4) is: max over subsets N of min over cuts of sum_{i in N} a_i, a table with one row per cut and one
-column per candidate. Directions come from solved inner problems (their dual optimum, or the certificate of
-infeasibility) but the bound holds whatever their source.
+So problem (4) is: max over subsets N of min over cuts of sum_{i in N} a_i, a table with one row per candidate and one
+column per cut. Directions come from solved inner problems (their dual optimum, or the certificate of infeasibility)
+but the bound holds whatever their source.
 """
-
-from dataclasses import dataclass
 
 import numpy as np
 
-from planner.contacts import grasp_maps
-from planner.friction_cone import support
+from planner.search.compiled.capacities import capacities
 from planner.search.problem import SearchProblem
 
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Cut:
-    """One row of the table."""
-
-    direction: np.ndarray
-    """lambda, scaled so that c(lambda) = 1, shape (D,)."""
-
-    values: np.ndarray
-    """a_i(lambda), shape (n,) [1/N]."""
-
-    loads: np.ndarray
-    """-lambda . w_j, at most 1, shape (l,)."""
+FIRST_CUTS = 256
+"""Columns of the table at the start; doubled when full."""
 
 
 class CutTable:
-    """Directions and the column of bounds each gives to the candidates."""
+    """Directions and the bound each gives to every candidate."""
 
     def __init__(self, problem: SearchProblem) -> None:
         self.problem = problem
-        self._grasp_maps = grasp_maps(problem.contacts.points, problem.reference_point)
-        self._directions = np.empty((64, problem.wrenches.shape[1]))
-        self._values = np.empty((64, len(problem.contacts)))
-        self._loads = np.empty((64, len(problem.wrenches)))
+        self._directions = np.empty((FIRST_CUTS, problem.wrenches.shape[1]))
+        self._loads = np.empty((FIRST_CUTS, len(problem.wrenches)))
+        self._values = np.empty((len(problem.contacts), FIRST_CUTS))
         self._count = 0
 
     def __len__(self) -> int:
@@ -53,51 +38,80 @@ class CutTable:
 
     @property
     def values(self) -> np.ndarray:
-        """a_i(lambda_k), shape (cuts, n) [1/N]."""
-        return self._values[: self._count]
+        """a_i(lambda_k), shape (n, cuts) [1/N]."""
+        return self._values[:, : self._count]
 
     @property
     def loads(self) -> np.ndarray:
         """-lambda_k . w_j, at most 1, shape (cuts, l)."""
         return self._loads[: self._count]
 
-    def evaluate(self, direction: np.ndarray) -> Cut | None:
-        """The cut a direction gives, shape (D,), or None where c(lambda) <= 0: it bounds nothing."""
+    def add(self, direction: np.ndarray) -> bool:
+        """Add the cut of a direction, shape (D,); returns False where c(lambda) <= 0: it bounds nothing."""
         loads = -self.problem.wrenches @ direction
         load = loads.max()
         if not np.isfinite(load) or load <= 0:
-            return None
-        contacts = self.problem.contacts
-        pulls = np.einsum("iDd,D->id", self._grasp_maps, direction)
-        values = support(pulls, contacts.normals, contacts.friction)
-        return Cut(direction=direction / load, values=values / load, loads=loads / load)
-
-    def add(self, cut: Cut) -> None:
-        """Append a cut."""
-        if self._count == len(self._directions):
-            for name in ("_directions", "_values", "_loads"):
-                array = getattr(self, name)
-                setattr(self, name, np.concatenate([array, np.empty_like(array)]))
-        row = self._count
-        self._directions[row], self._values[row], self._loads[row] = cut.direction, cut.values, cut.loads
+            return False
+        self._grow()
+        column = self._count
+        self._directions[column], self._loads[column] = direction / load, loads / load
+        self._values[:, column] = self._capacities(slice(None), direction / load)
         self._count += 1
+        return True
+
+    def add_if_below(self, direction: np.ndarray, subset: np.ndarray, bound: float) -> bool:
+        """Add the cut of a direction if it bounds 1 / rho of the subset, shape (m,), below `bound` [1/N]."""
+        load = (-self.problem.wrenches @ direction).max()
+        if not load > 0 or not self._capacities(subset, direction).sum() < bound * load:
+            return False
+        return self.add(direction)
 
     def bound(self, subset: np.ndarray) -> tuple[float, int]:
         """Best upper bound on 1 / rho of a subset, shape (m,) [1/N], and the cut that gives it."""
-        sums = self.values[:, subset].sum(axis=1)
+        sums = self.values[subset].sum(axis=0)
         cut = int(sums.argmin())
         return float(sums[cut]), cut
+
+    def dangerous_cases(self, subset: np.ndarray) -> np.ndarray:
+        """All cases, those first that the cuts call most demanding for this subset, shape (cases,).
+
+        Without position error a case is a vertex of W_R. With it, every vertex comes first with the shifts at which the
+        sharpest cut does least.
+        """
+        problem, vertices = self.problem, self.dangerous_vertices(subset)
+        if not problem.position_error:
+            return vertices
+        direction = self.directions[self.bound(subset)[1]]
+        shifts = [self._of(maps[subset], problem.contacts.friction[subset], direction) for maps in problem.shifted_maps]
+        shape = (len(shifts),) * problem.fingers
+        first = np.ravel_multi_index(np.argmin(shifts, axis=0), shape) * len(problem.wrenches) + vertices
+        return np.concatenate([first, np.setdiff1d(np.arange(problem.cases), first)])
 
     def dangerous_vertices(self, subset: np.ndarray, sharpest: int = 64) -> np.ndarray:
         """Vertices of W_R, the one the cuts call most demanding for this subset first, shape (l,).
 
         phi_N(w_j) >= -lambda_k . w_j / sum_{i in N} h_i(lambda_k), over the `sharpest` cuts for this subset.
         """
-        sums = self.values[:, subset].sum(axis=1)
+        sums = self.values[subset].sum(axis=0)
+        loads = self.loads
         if len(sums) > sharpest:
             chosen = np.argpartition(sums, sharpest)[:sharpest]
-            sums, loads = sums[chosen], self.loads[chosen]
-        else:
-            loads = self.loads
+            sums, loads = sums[chosen], loads[chosen]
         floor = np.finfo(float).tiny
         return np.argsort(-(loads / np.maximum(sums, floor)[:, None]).max(axis=0), kind="stable")
+
+    def _capacities(self, which: np.ndarray | slice, direction: np.ndarray) -> np.ndarray:
+        """h_i(lambda) of some candidates; with position error the least of all shifts."""
+        friction = self.problem.contacts.friction[which]
+        return np.min([self._of(maps[which], friction, direction) for maps in self.problem.shifted_maps], axis=0)
+
+    def _of(self, maps: np.ndarray, friction: np.ndarray, direction: np.ndarray) -> np.ndarray:
+        values = np.empty(len(maps))
+        capacities(maps, friction, direction, values)
+        return values
+
+    def _grow(self) -> None:
+        if self._count == len(self._directions):
+            self._directions = np.concatenate([self._directions, np.empty_like(self._directions)])
+            self._loads = np.concatenate([self._loads, np.empty_like(self._loads)])
+            self._values = np.concatenate([self._values, np.empty_like(self._values)], axis=1)

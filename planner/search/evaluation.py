@@ -8,7 +8,7 @@ from planner.forces.minimax import MinimaxForces
 from planner.search.problem import SearchProblem
 
 Solution = tuple[np.ndarray, float, np.ndarray]
-"""Forces in contact frames (m, d) [N], phi [N] (infinite: none found), direction lambda (D,)."""
+"""Forces over strengths in contact frames (m, d) [N], phi [N] (infinite: none found), direction lambda (D,)."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -19,7 +19,7 @@ class Evaluation:
     """Candidate indices, shape (m,)."""
 
     phi: np.ndarray
-    """phi_N(w_j), shape (l,) [N]; infinite where no force balances w_j."""
+    """phi_N(w_j), the least force level max_i |f_i| / s_i, shape (l,) [N]; infinite where no force balances w_j."""
 
     forces: np.ndarray
     """Contact forces in the body frame, shape (l, m, d) [N]; NaN where infeasible."""
@@ -43,23 +43,38 @@ class Evaluator:
         self.solves = 0
         self._solver = MinimaxForces(problem.fingers, problem.contacts.dimension)
 
-    def solve(self, subset: np.ndarray, vertex: int) -> Solution:
-        """Subproblem 2 for one subset, shape (m,), and one vertex of W_R."""
+    def solve(self, subset: np.ndarray, case: int) -> Solution:
+        """Subproblem 2 for one subset, shape (m,), and one case: a vertex of W_R and a shift of each finger."""
         problem = self.problem
         self.solves += 1
+        shifts, vertex = self.shifts_and_vertex(case)
         return self._solver.solve_arrays(
-            problem.maps[subset], problem.contacts.friction[subset], problem.wrenches[vertex], problem.length
+            problem.shifted_maps[shifts, subset],
+            problem.contacts.friction[subset],
+            problem.wrenches[vertex],
+            problem.length,
         )
 
+    def shifts_and_vertex(self, case: int) -> tuple[np.ndarray, int]:
+        """The shift of each finger, shape (m,), and the vertex of W_R of a case; without position error case = vertex.
+
+        Cases count the vertices fastest, then the shifts of the last finger.
+        """
+        combination, vertex = divmod(case, len(self.problem.wrenches))
+        shape = (len(self.problem.shifted_maps),) * self.problem.fingers
+        return np.array(np.unravel_index(combination, shape)), vertex
+
     def evaluate(self, subset: np.ndarray) -> Evaluation:
-        """Subproblem 1: all vertices at full accuracy."""
-        return self.collect(subset, [self.solve(subset, vertex) for vertex in range(len(self.problem.wrenches))])
+        """Subproblem 1: all cases at full accuracy."""
+        return self.collect(subset, [self.solve(subset, case) for case in range(self.problem.cases)])
 
     def collect(self, subset: np.ndarray, solutions: list[Solution]) -> Evaluation:
-        """The evaluation made of one solution per vertex, in order."""
-        frames = self.problem.frames[subset]
+        """The evaluation made of one solution per case, in order; of each vertex the worst shifts count."""
+        frames = self.problem.frames[subset] * self.problem.strengths[subset][:, None, None]
+        phi = np.array([phi for _, phi, _ in solutions]).reshape(-1, len(self.problem.wrenches))
+        worst = [solutions[case][0] for case in phi.argmax(axis=0) * phi.shape[1] + np.arange(phi.shape[1])]
         return Evaluation(
             subset=subset,
-            phi=np.array([phi for _, phi, _ in solutions]),
-            forces=np.stack([np.einsum("ide,ie->id", frames, forces) for forces, _, _ in solutions]),
+            phi=phi.max(axis=0),
+            forces=np.stack([np.einsum("ide,ie->id", frames, forces) for forces in worst]),
         )

@@ -11,14 +11,14 @@ from planner.search.problem import SearchProblem
 def exhaustive_search(problem: SearchProblem) -> Evaluation | None:
     """The best subset by enumeration, or None when no subset resists W_R with forces below the ceiling.
 
-    A subset is left as soon as one vertex needs as much as the best subset so far.
+    A subset is left as soon as one case needs as much as the best subset so far.
     """
     evaluator = Evaluator(problem)
     best: Evaluation | None = None
     least = problem.force_ceiling
     for combination in combinations(range(len(problem.contacts)), problem.fingers):
         subset = np.array(combination)
-        if all(evaluator.solve(subset, vertex)[1] < least for vertex in range(len(problem.wrenches))):
+        if problem.admits(subset) and all(evaluator.solve(subset, case)[1] < least for case in range(problem.cases)):
             best = evaluator.evaluate(subset)
             least = best.rho
     return best

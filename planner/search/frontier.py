@@ -11,22 +11,22 @@ import numpy as np
 from planner.search.tree import CandidateTree
 
 
-def split(rows: np.ndarray, tree: CandidateTree) -> np.ndarray:
-    """Children of rows, each split at its largest node.
+def split(rows: np.ndarray, tree: CandidateTree) -> tuple[np.ndarray, np.ndarray]:
+    """Children of rows, each split at its widest node.
 
     Args:
         rows: Node numbers, shape (rows, m); every row holds a node of at least two candidates.
 
     Returns:
-        Child rows, shape (children, m).
+        Child rows, shape (children, m), and the row each comes from, shape (children,).
     """
     sizes = tree.sizes
-    slot = sizes[rows].argmax(axis=1)  # first copy of the largest node; its other copies follow it
+    slot = tree.diameters[rows].argmax(axis=1)  # first copy of the widest node; its other copies follow it
     node = rows[np.arange(len(rows)), slot]
     copies = (rows == node[:, None]).sum(axis=1)
-    children = []
+    children, parents_of = [], []
     for count in np.unique(copies):
-        chosen = copies == count
+        chosen = np.flatnonzero(copies == count)
         parents, first, split_node = rows[chosen], slot[chosen], node[chosen]
         left = tree.left[split_node]
         for lefts in range(count + 1):
@@ -36,7 +36,8 @@ def split(rows: np.ndarray, tree: CandidateTree) -> np.ndarray:
             for copy in range(count):
                 child[index, first[possible] + copy] = left[possible] + (copy >= lefts)
             children.append(child)
-    return np.concatenate(children)
+            parents_of.append(chosen[possible])
+    return np.concatenate(children), np.concatenate(parents_of)
 
 
 class Frontier:

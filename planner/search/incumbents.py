@@ -7,6 +7,8 @@
 A subset that needs at least the level is not wanted, so a search that has proven this of all others is complete.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
 from planner.search.evaluation import Evaluation
@@ -18,7 +20,14 @@ SOLVER_ACCURACY = 1e-6
 class Incumbents:
     """Wanted grasps, best first."""
 
-    def __init__(self, ceiling: float, gap: float, keep: int, within: float | None) -> None:
+    def __init__(
+        self,
+        ceiling: float,
+        gap: float,
+        keep: int,
+        within: float | None,
+        admits: Callable[[np.ndarray], bool] = lambda _: True,
+    ) -> None:
         """
         Args:
             ceiling: Force above which a subset counts as infeasible [N].
@@ -26,7 +35,9 @@ class Incumbents:
             keep: How many grasps to keep.
             within: Keep all (up to `keep`) whose rho exceeds the best by at most this, relatively; None: no such
                 limit.
+            admits: Whether a subset, shape (m,), may be kept at all.
         """
+        self._admits = admits
         self._ceiling, self._gap, self._keep, self._within = ceiling, gap, keep, within
         self._grasps: dict[tuple[int, ...], Evaluation] = {}
 
@@ -57,8 +68,10 @@ class Incumbents:
             level = min(level, self.rho * (1 + max(self._within, SOLVER_ACCURACY)))
         return level
 
-    def offer(self, evaluation: Evaluation) -> None:
-        """Keep the grasp if it is wanted, and drop those that it makes unwanted."""
+    def offer(self, evaluation: Evaluation) -> bool:
+        """Keep the grasp if it is wanted, and drop those that it makes unwanted; returns whether it was kept."""
+        if not self._admits(evaluation.subset):
+            return False
         offered = [*self._grasps.values(), evaluation]
         offered.sort(key=lambda grasp: grasp.rho)
         kept = offered[: self._keep]
@@ -66,3 +79,4 @@ class Incumbents:
             most = kept[0].rho * (1 + max(self._within, SOLVER_ACCURACY))
             kept = [grasp for grasp in kept if grasp.rho <= most]
         self._grasps = {tuple(grasp.subset.tolist()): grasp for grasp in kept}
+        return evaluation.subset in self

@@ -9,21 +9,29 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluation, Evaluator
 from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
+from planner.search.problem import SearchProblem
 
-STARTS = 2
+STARTS = 1
 """Independent climbs; the search tree repairs what they miss."""
 
 MOST_STEPS = 300
 """Corrections per climb."""
 
 DECISIVE = 16
-"""Rows of the table that every swap is checked against."""
+"""Cuts that every swap is checked against first."""
 
-PROBES = 1
-"""Vertices solved before a subset the table likes is evaluated in full."""
+NEIGHBOURS = 300
+"""Candidates that a climb looks at around its contacts."""
+
+DRAWS = 20
+"""Attempts at a random subset whose contacts keep spacing and span."""
+
+PROBES = 3
+"""Cases solved before a subset the table likes is evaluated in full."""
 
 NOTICEABLE = 1e-3
 """Relative drop of a subset's bound that makes climbing again better than evaluating."""
@@ -35,59 +43,96 @@ def add_vertex_cuts(cuts: CutTable) -> None:
     scale = np.ones(problem.wrenches.shape[1])
     scale[problem.contacts.dimension :] /= problem.length**2
     for wrench in problem.wrenches:
-        cut = cuts.evaluate(-scale * wrench)
-        if cut is not None:
-            cuts.add(cut)
+        cuts.add(-scale * wrench)
 
 
-def climb(values: np.ndarray, subset: np.ndarray) -> np.ndarray:
-    """Swap one candidate at a time while the smallest row sum of the table grows.
+def climb(cuts: CutTable, subset: np.ndarray, among: np.ndarray) -> np.ndarray:
+    """Swap one candidate at a time while the bound of the table grows.
 
     Args:
-        values: Cut table, shape (cuts, n).
+        cuts: Cut table.
         subset: Where to start, shape (m,).
+        among: Candidates that may be swapped in.
 
     Returns:
         A subset that no single swap improves, shape (m,), sorted.
     """
     subset = subset.copy()
-    best = values[:, subset].sum(axis=1).min()
+    best = cuts.bound(subset)[0]
     slot, unimproved = 0, 0
     while unimproved < len(subset):
         unimproved += 1
-        candidate, score = best_swap(values, np.delete(subset, slot), best * (1 + 1e-9))
+        candidate, score = best_swap(cuts, subset, slot, among, best * (1 + 1e-9))
         if candidate >= 0:
             best, subset[slot], unimproved = score, candidate, 1
         slot = (slot + 1) % len(subset)
     return np.sort(subset)
 
 
-def best_swap(values: np.ndarray, others: np.ndarray, least: float) -> tuple[int, float]:
-    """The candidate that, with the others, has the largest smallest row sum, if that exceeds `least`; else -1.
+def best_swap(cuts: CutTable, subset: np.ndarray, slot: int, among: np.ndarray, least: float) -> tuple[int, float]:
+    """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1.
 
-    The rows in which the others sum to least decide nearly always: the rest of the table is only read for the
-    candidates that pass those.
+    The cuts along which the others do least decide nearly always: they are looked at first.
     """
-    base = values[:, others].sum(axis=1)
+    problem = cuts.problem
+    others = np.delete(subset, slot)
+    base = cuts.values[others].sum(axis=0)
     decisive = np.argpartition(base, DECISIVE - 1)[:DECISIVE] if len(base) > DECISIVE else np.arange(len(base))
-    scores = (values[decisive] + base[decisive, None]).min(axis=0)
-    scores[others] = -np.inf
-    passing = np.flatnonzero(scores > least)
-    scores = (values[:, passing] + base[:, None]).min(axis=0)
-    if scores.max(initial=least) <= least:
-        return -1, least
-    chosen = int(scores.argmax())
-    return int(passing[chosen]), float(scores[chosen])
+    decisive = decisive[np.argsort(base[decisive])]
+    kind = problem.kind[subset[slot]]
+    allowed = among[problem.partners(others)[among] & (problem.kind[among] == kind)]
+    return best_partner(cuts.values, base, decisive, allowed, least)
+
+
+def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:
+    """The NEIGHBOURS candidates closest to any of a subset's contacts; all if there are no more."""
+    points = problem.contacts.points
+    if len(points) <= NEIGHBOURS:
+        return np.arange(len(points))
+    squares = np.min([((points - point) ** 2).sum(axis=1) for point in points[subset]], axis=0)
+    return np.argpartition(squares, NEIGHBOURS)[:NEIGHBOURS]
+
+
+def random_subset(problem: SearchProblem, generator: np.random.Generator) -> np.ndarray | None:
+    """A random subset with the right kinds of fingers, spacing and span, shape (m,); None if none was met."""
+    kinds = np.repeat(np.arange(len(problem.all_kinds)), [kind.fingers for kind in problem.all_kinds])
+    for _ in range(DRAWS):
+        chosen = np.empty(0, dtype=np.int64)
+        for kind in kinds:
+            allowed = np.flatnonzero(problem.partners(chosen) & (problem.kind == kind))
+            if not len(allowed):
+                break
+            chosen = np.append(chosen, generator.choice(allowed))
+        else:
+            return np.sort(chosen)
+    return None
 
 
 def improve(
-    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, incumbents: Incumbents, stop: Callable[[], bool]
-) -> None:
-    """Climb from a subset until the table cannot beat the best grasp nearby; better ones are offered on the way."""
+    evaluator: Evaluator,
+    cuts: CutTable,
+    subset: np.ndarray,
+    incumbents: Incumbents,
+    stop: Callable[[], bool],
+    among: np.ndarray | None = None,
+) -> np.ndarray:
+    """Climb from a subset until the table cannot beat the best grasp nearby; better ones are offered on the way.
+
+    Args:
+        evaluator: Solves inner problems.
+        cuts: The table, sharpened on the way.
+        subset: Where to start, shape (m,).
+        incumbents: Where better grasps go.
+        stop: Ends the climb once true.
+        among: Candidates that may be swapped in; by default those near the subset's own.
+
+    Returns:
+        The subset at which the climb ended, shape (m,).
+    """
     for _ in range(MOST_STEPS):
         if stop():
             break
-        subset = climb(cuts.values, subset)
+        subset = climb(cuts, subset, near(cuts.problem, subset) if among is None else among)
         level = min(incumbents.rho, evaluator.problem.force_ceiling)
         if cuts.bound(subset)[0] <= (1 + SOLVER_ACCURACY) / level:
             break
@@ -95,17 +140,19 @@ def improve(
             continue
         better = evaluate_below(evaluator, cuts, subset, level)
         if better is not None:
-            incumbents.offer(better)
+            if not incumbents.offer(better):
+                break
         elif cuts.bound(subset)[0] > (1 + SOLVER_ACCURACY) / level:
             break  # no better, and the solver cannot prove it: climbing again would come back here
+    return subset
 
 
 def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
-    """Solve the few most dangerous vertices; returns whether one lowered the subset's bound noticeably."""
+    """Solve the few most dangerous cases; returns whether one lowered the subset's bound noticeably."""
     bound = cuts.bound(subset)[0]
-    for vertex in cuts.dangerous_vertices(subset)[:PROBES]:
-        _, _, direction = evaluator.solve(subset, int(vertex))
-        if add_if_sharper(cuts, subset, direction, bound * (1 - NOTICEABLE)):
+    for case in cuts.dangerous_cases(subset)[:PROBES]:
+        _, _, direction = evaluator.solve(subset, int(case))
+        if cuts.add_if_below(direction, subset, bound * (1 - NOTICEABLE)):
             return True
     return False
 
@@ -113,28 +160,19 @@ def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
 def evaluate_below(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, level: float) -> Evaluation | None:
     """Evaluate a subset only as far as needed to know whether its rho is below `level`.
 
-    Every solved vertex that sharpens the subset's bound leaves its cut in the table. The evaluation stops as soon as
-    the cuts, or a vertex, show rho_N >= level; then the answer is "not better", never the value of one vertex.
+    Every solved case that sharpens the subset's bound leaves its cut in the table. The evaluation stops as soon as
+    the cuts, or a case, show rho_N >= level; then the answer is "not better", never the value of one case.
 
     Returns:
         The full evaluation if rho_N < level, else None.
     """
     bound = cuts.bound(subset)[0]
     solutions = {}
-    for vertex in cuts.dangerous_vertices(subset).tolist():
-        solutions[vertex] = evaluator.solve(subset, vertex)
-        _, phi, direction = solutions[vertex]
-        if add_if_sharper(cuts, subset, direction, bound * (1 - 1e-9)):
+    for case in cuts.dangerous_cases(subset).tolist():
+        solutions[case] = evaluator.solve(subset, case)
+        _, phi, direction = solutions[case]
+        if cuts.add_if_below(direction, subset, bound * (1 - 1e-9)):
             bound = cuts.bound(subset)[0]
         if bound <= 1 / level or phi >= level * (1 + SOLVER_ACCURACY):
             return None
-    return evaluator.collect(subset, [solutions[vertex] for vertex in sorted(solutions)])
-
-
-def add_if_sharper(cuts: CutTable, subset: np.ndarray, direction: np.ndarray, bound: float) -> bool:
-    """Add the cut of a direction if it bounds 1 / rho of the subset below `bound`; returns whether it did."""
-    cut = cuts.evaluate(direction)
-    if cut is None or cut.values[subset].sum() >= bound:
-        return False
-    cuts.add(cut)
-    return True
+    return evaluator.collect(subset, [solutions[case] for case in sorted(solutions)])

@@ -53,8 +53,13 @@ class PaperSearch:
         """Search all combinations.
 
         Raises:
-            CandidateError: When there are more combinations than LIST may hold.
+            CandidateError: When there are more combinations than LIST may hold, or limits the paper does not know.
         """
+        if not problem.is_the_papers:
+            raise CandidateError(
+                "the paper's search knows neither kinds of fingers nor distances between contacts; "
+                "use the certified search"
+            )
         if problem.subsets > MOST_SUBSETS:
             raise CandidateError(
                 f"{problem.subsets:,} combinations; the paper's search keeps a list of them and takes at most "

@@ -3,24 +3,34 @@
 rho* = min over m-subsets N of max over vertices w_j of phi_N(w_j)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from math import comb
+from math import comb, prod
 
 import numpy as np
 
 from planner.contacts import Contacts, contact_frames, grasp_maps, wrench_dimension
 from planner.errors import CandidateError, TaskError
+from planner.search.finger_kind import FingerKind
 
 MOST_FINGERS = 8
+
+MOST_CASES = 50_000
+"""Inner problems solved for one subset, a few seconds."""
+
+SAME_POINT = 1e-9
+"""Contacts closer than this, relative to the object, are one point."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class SearchProblem:
     """Candidates, number of fingers and required external force set.
 
+    Fingers may differ in kind: which candidates they may touch, and how strong they are. A point that fingers of
+    several kinds may touch is then listed once for each of them.
+
     Raises:
-        CandidateError: When the number of fingers does not fit the candidates.
+        CandidateError: When the number of fingers does not fit the candidates, or a limit is out of range.
         TaskError: When W_R is empty, not finite, all zero, or of the wrong dimension.
     """
 
@@ -36,6 +46,20 @@ class SearchProblem:
     wrenches: np.ndarray
     """Vertices of W_R, shape (l, D) [N, N m]."""
 
+    kinds: tuple[FingerKind, ...] = ()
+    """Kinds of fingers, whose candidates follow each other in `contacts`; empty: all fingers are alike."""
+
+    spacing: float = 0.0
+    """Least distance between two chosen contacts [m]."""
+
+    span: float = np.inf
+    """Largest distance between two chosen contacts [m]."""
+
+    position_error: float = 0.0
+    """How far a finger may miss its contact along the surface [m]. With it, rho is the worst over all combinations of
+    the contact itself and the shifts of this length (in space along two perpendicular tangents, forth and back; in the
+    plane along the edge), each finger on its own; the facet is taken as flat."""
+
     def __post_init__(self) -> None:
         if not 1 <= self.fingers <= MOST_FINGERS:
             raise CandidateError(f"{self.fingers} fingers; allowed are 1 to {MOST_FINGERS}")
@@ -44,6 +68,7 @@ class SearchProblem:
                 f"{self.fingers} fingers but only {len(self.contacts)} candidate contacts; "
                 "ask for more candidates or fewer fingers"
             )
+        self._check_limits()
         size = wrench_dimension(self.contacts.dimension)
         if self.wrenches.ndim != 2 or self.wrenches.shape[1] != size or not len(self.wrenches):
             raise TaskError(f"the wrenches have shape {self.wrenches.shape}; expected (at least 1, {size})")
@@ -52,10 +77,85 @@ class SearchProblem:
         if not self.wrenches.any():
             raise TaskError("the required external force set holds only the zero wrench; it asks for no force")
 
+    def _check_limits(self) -> None:
+        if not 0 <= self.spacing < np.inf or not self.span > 0 or self.spacing > self.span:
+            raise CandidateError(
+                f"spacing {self.spacing} m and span {self.span} m; the least distance between two contacts must be 0 "
+                "or more and at most the largest"
+            )
+        if self.kinds and (
+            sum(kind.fingers for kind in self.kinds) != self.fingers
+            or sum(kind.candidates for kind in self.kinds) != len(self.contacts)
+        ):
+            raise CandidateError(
+                f"the kinds of fingers {self.kinds} do not add up to {self.fingers} fingers and "
+                f"{len(self.contacts)} candidates"
+            )
+        if not 0 <= self.position_error < np.inf:
+            raise CandidateError(f"the position error is {self.position_error} m; it must be 0 or more")
+        if self.position_error and self.cases > MOST_CASES:
+            raise CandidateError(
+                f"with a position error, {self.fingers} fingers and {len(self.wrenches)} wrenches ask for "
+                f"{self.cases:,} inner problems for each grasp; at most {MOST_CASES:,} are solved: use fewer of either"
+            )
+
     @property
     def subsets(self) -> int:
-        """Number of m-subsets."""
-        return comb(len(self.contacts), self.fingers)
+        """Number of m-subsets with the right number of fingers of each kind."""
+        return prod(comb(kind.candidates, kind.fingers) for kind in self.all_kinds)
+
+    @property
+    def all_kinds(self) -> tuple[FingerKind, ...]:
+        """Kinds of fingers, at least one."""
+        return self.kinds or (FingerKind(fingers=self.fingers, candidates=len(self.contacts)),)
+
+    @cached_property
+    def kind(self) -> np.ndarray:
+        """Which kind of finger each candidate is for, shape (n,)."""
+        return np.repeat(np.arange(len(self.all_kinds)), [kind.candidates for kind in self.all_kinds])
+
+    @cached_property
+    def strengths(self) -> np.ndarray:
+        """s_i: the finger at candidate i can push s_i times the force level phi, |f_i| <= s_i phi; shape (n,)."""
+        return np.repeat([kind.strength for kind in self.all_kinds], [kind.candidates for kind in self.all_kinds])
+
+    @property
+    def least_distance(self) -> float:
+        """Least distance between two chosen contacts [m]: fingers of different kinds never share a point."""
+        return max(self.spacing, SAME_POINT * self.length) if len(self.kinds) > 1 else self.spacing
+
+    @property
+    def pairs_are_limited(self) -> bool:
+        """Whether some pairs of candidates are too close or too far apart."""
+        return self.least_distance > 0 or self.span < np.inf
+
+    @property
+    def is_the_papers(self) -> bool:
+        """Whether all fingers are alike and may be at any distance from each other."""
+        return not self.kinds and not self.pairs_are_limited
+
+    def admits(self, subset: np.ndarray) -> bool:
+        """Whether a subset of candidates, shape (m,), has the right kinds of fingers, spacing and span."""
+        of_kind = np.bincount(self.kind[subset], minlength=len(self.all_kinds))
+        if any(count != kind.fingers for count, kind in zip(of_kind, self.all_kinds, strict=True)):
+            return False
+        return all(bool(self.partners(subset[:k])[subset[k]]) for k in range(1, len(subset)))
+
+    def among(self, chosen: np.ndarray) -> "SearchProblem":
+        """The problem with only some of its candidates, ascending indices of shape (chosen,)."""
+        left = np.bincount(self.kind[chosen], minlength=len(self.all_kinds))
+        kinds = tuple(replace(kind, candidates=int(count)) for kind, count in zip(self.kinds, left, strict=False))
+        return replace(self, contacts=self.contacts.subset(chosen), kinds=kinds)
+
+    def partners(self, chosen: np.ndarray) -> np.ndarray:
+        """Which candidates keep spacing and span to all the chosen ones, shape (n,); the chosen are not among them."""
+        allowed = np.ones(len(self.contacts), dtype=bool)
+        allowed[chosen] = False
+        if self.pairs_are_limited:
+            for point in self.contacts.points[chosen]:
+                distances = np.linalg.norm(self.contacts.points - point, axis=1)
+                allowed &= (distances >= self.least_distance) & (distances <= self.span)
+        return allowed
 
     @cached_property
     def length(self) -> float:
@@ -64,8 +164,29 @@ class SearchProblem:
 
     @cached_property
     def maps(self) -> np.ndarray:
-        """Grasp maps from contact frames, G_i R_i, shape (n, D, d)."""
-        return grasp_maps(self.contacts.points, self.reference_point) @ self.frames
+        """Grasp maps from contact frames times strengths, G_i R_i s_i, shape (n, D, d).
+
+        They map f_i / s_i, whose length is at most phi: with them, fingers of all strengths are alike.
+        """
+        maps = grasp_maps(self.contacts.points, self.reference_point) @ self.frames
+        return np.ascontiguousarray(maps * self.strengths[:, None, None])
+
+    @cached_property
+    def shifted_maps(self) -> np.ndarray:
+        """`maps` of every place where a finger may land, the contact itself first, shape (shifts, n, D, d)."""
+        if not self.position_error:
+            return self.maps[None]
+        tangents = self.frames[:, :, 1:].transpose(2, 0, 1)  # one or two, shape (d - 1, n, d)
+        offsets = self.position_error * np.concatenate([0 * tangents[:1], tangents, -tangents])
+        scaled = self.frames * self.strengths[:, None, None]
+        return np.stack(
+            [grasp_maps(self.contacts.points + offset, self.reference_point) @ scaled for offset in offsets]
+        )
+
+    @property
+    def cases(self) -> int:
+        """Inner problems that decide rho of a subset: vertices of W_R times combinations of shifts."""
+        return len(self.wrenches) * len(self.shifted_maps) ** self.fingers
 
     @cached_property
     def frames(self) -> np.ndarray:

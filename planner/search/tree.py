@@ -1,82 +1,134 @@
 """A binary tree over the candidates, so that one bound speaks for many subsets at once.
 
-Candidates are ordered so that every node is a run [start, stop) of that order; a node is split into equal halves
-across the longest side of its bounding box in (position, normal) space. Node 0 is the root; the two children of a
-node have consecutive numbers, larger than its own.
+Candidates are ordered so that every node is a run [start, stop) of that order; a node is split in the middle of the
+longest side of its bounding box in (position, normal) space: small boxes, not equal counts, make tight bounds. Node 0
+is the root; the two children of a node have consecutive numbers, larger than its own.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from planner.contacts import Contacts
+from planner.search.problem import SearchProblem
 
-NORMAL_WEIGHT = 0.5
-"""How much a unit of normal counts against a length of half the candidate cloud."""
+SMALLEST = 1e-12
+"""Diameter of a node whose candidates coincide."""
+
+HALVED_AFTER = 48
+"""Depth below which nodes are split into equal counts: crowds of almost equal candidates cannot make a deep tree."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CandidateTree:
-    """2n - 1 nodes over n candidates, numbered parents first, breadth first."""
+    """Nodes over n candidates, numbered parents first; one tree for each kind of finger, their roots first."""
 
     order: np.ndarray
     """Candidate at each position, shape (n,)."""
 
     start: np.ndarray
-    """First position of each node, shape (2n - 1,)."""
+    """First position of each node, shape (nodes,)."""
 
     stop: np.ndarray
-    """One past the last position of each node, shape (2n - 1,)."""
+    """One past the last position of each node, shape (nodes,)."""
 
     left: np.ndarray
-    """Left child of each node (the right one is the next number), -1 for leaves, shape (2n - 1,)."""
+    """Left child of each node (the right one is the next number), -1 for leaves, shape (nodes,)."""
 
-    levels: tuple[np.ndarray, ...]
-    """Inner nodes of each depth, root first."""
+    diameters: np.ndarray
+    """Diagonal of each node's bounding box in (position, normal) space, lengths in radii of the candidate cloud, shape
+    (nodes,); zero for leaves, positive for all others."""
+
+    first_row: np.ndarray
+    """The roots, once for each finger: the row of nodes that stands for every subset, shape (m,)."""
 
     @property
     def sizes(self) -> np.ndarray:
-        """Number of candidates below each node, shape (2n - 1,)."""
+        """Number of candidates below each node, shape (nodes,)."""
         return self.stop - self.start
 
-    def maxima(self, values: np.ndarray) -> np.ndarray:
-        """Largest value below each node: (n,) candidate values become (2n - 1,) node values."""
-        leaves = self.left < 0
-        best = np.empty(len(self.start))
-        best[leaves] = values[self.order[self.start[leaves]]]
-        for parents in reversed(self.levels):
-            children = self.left[parents]
-            best[parents] = np.maximum(best[children], best[children + 1])
-        return best
+    def boxes(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Least and greatest coordinates of the points below each node.
+
+        Args:
+            points: One for each candidate, shape (n, d).
+
+        Returns:
+            Two arrays of shape (nodes, d).
+        """
+        lower, upper = points[self.order[self.start]], points[self.order[self.start]]
+        for node in np.flatnonzero(self.left >= 0)[::-1]:
+            children = slice(self.left[node], self.left[node] + 2)
+            lower[node], upper[node] = lower[children].min(axis=0), upper[children].max(axis=0)
+        return lower, upper
 
 
-def build_tree(contacts: Contacts) -> CandidateTree:
-    """Split the candidates by position and normal until every leaf holds one."""
-    points = contacts.points - contacts.points.mean(axis=0)
+def build_tree(problem: SearchProblem) -> CandidateTree:
+    """Split the candidates of each kind of finger by position and normal until every leaf holds one."""
+    points = problem.contacts.points - problem.contacts.points.mean(axis=0)
     radius = float(np.abs(points).max()) or 1.0
-    features = np.hstack([points / radius, NORMAL_WEIGHT * contacts.normals])
-    count = len(contacts)
-    order = np.arange(count)
-    start, stop, left = [0], [count], [-1]
-    levels: list[np.ndarray] = []
-    level = [0]
-    while level:
-        inner = [node for node in level if stop[node] - start[node] > 1]
-        if inner:
-            levels.append(np.array(inner))
-        level = []
-        for node in inner:
-            first, last = start[node], stop[node]
-            run = order[first:last]
-            box = features[run]
-            axis = int((box.max(axis=0) - box.min(axis=0)).argmax())
-            order[first:last] = run[np.argsort(box[:, axis], kind="stable")]
-            middle = (first + last) // 2
-            left[node] = len(start)
-            level += [len(start), len(start) + 1]
-            start += [first, middle]
-            stop += [middle, last]
-            left += [-1, -1]
+    features = np.hstack([points / radius, problem.contacts.normals])
+    order = np.arange(len(features))
+    stops = np.cumsum([kind.candidates for kind in problem.all_kinds])
+    starts = np.concatenate([[0], stops[:-1]])
+    levels: list[tuple[np.ndarray, ...]] = []
+    nodes = 0
+    while len(starts):
+        inner = stops - starts > 1
+        children = nodes + len(starts) + 2 * np.cumsum(inner) - 2
+        diameters, middles = _split_level(features, order, starts[inner], stops[inner], len(levels) > HALVED_AFTER)
+        levels.append((starts, stops, np.where(inner, children, -1), _spread(diameters, inner)))
+        nodes += len(starts)
+        starts, stops = (
+            np.stack([starts[inner], middles], axis=1).ravel(),
+            np.stack([middles, stops[inner]], axis=1).ravel(),
+        )
+    start, stop, left, diameter = (np.concatenate(column) for column in zip(*levels, strict=True))
     return CandidateTree(
-        order=order, start=np.array(start), stop=np.array(stop), left=np.array(left), levels=tuple(levels)
+        order=order,
+        start=start,
+        stop=stop,
+        left=left,
+        diameters=diameter,
+        first_row=np.repeat(np.arange(len(problem.all_kinds)), [kind.fingers for kind in problem.all_kinds]),
     )
+
+
+def _split_level(
+    features: np.ndarray, order: np.ndarray, starts: np.ndarray, stops: np.ndarray, halve: bool
+) -> tuple[np.ndarray, np.ndarray]:
+    """Sort the candidates of each node along its longest side, in place, and find where the upper half begins.
+
+    Args:
+        features: Position and normal of each candidate, shape (n, 2 d).
+        order: Candidate at each position, shape (n,), changed within the runs.
+        starts: First position of each node, shape (nodes,); every node holds at least two candidates.
+        stops: One past its last position, shape (nodes,).
+        halve: Whether to split into equal counts instead of at the middle of the side.
+
+    Returns:
+        Diameter of each node and position of the first candidate of its upper half, shape (nodes,) each.
+    """
+    if not len(starts):
+        return np.empty(0), np.empty(0, dtype=np.int64)
+    sizes = stops - starts
+    runs = np.cumsum(sizes) - sizes  # where each node begins among the positions of this level
+    node = np.repeat(np.arange(len(starts)), sizes)
+    position = np.arange(len(node)) - runs[node] + starts[node]
+    below = features[order[position]]
+    lower, upper = np.minimum.reduceat(below, runs), np.maximum.reduceat(below, runs)
+    sides = upper - lower
+    axis = sides.argmax(axis=1)
+    value = below[np.arange(len(node)), axis[node]]
+    order[position] = order[position[np.lexsort((value, node))]]
+    longest = sides.max(axis=1)
+    middle = (lower + sides / 2)[np.arange(len(starts)), axis]
+    lows = np.add.reduceat((value <= middle[node]).astype(np.int64), runs).clip(1, sizes - 1)
+    lows = np.where((longest == 0) | halve, sizes // 2, lows)
+    return np.maximum(np.linalg.norm(sides, axis=1), SMALLEST), starts + lows
+
+
+def _spread(values: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+    """The values at the chosen places, zero elsewhere."""
+    spread = np.zeros(len(chosen))
+    spread[chosen] = values
+    return spread

@@ -15,10 +15,11 @@ from planner.search.problem import SearchProblem
 
 
 def pairs(problem: SearchProblem) -> Iterator[np.ndarray]:
-    """All pairs of candidates, by their first member; arrays of shape (pairs, 2)."""
-    count = len(problem.contacts)
-    for first in range(count - 1):
-        second = np.arange(first + 1, count)
+    """All pairs that keep kinds, spacing and span, by their first member; arrays of shape (pairs, 2)."""
+    alike = len(problem.all_kinds) == 1
+    for first in range(len(problem.contacts) - 1):
+        partner = problem.partners(np.array([first])) & (alike | (problem.kind != problem.kind[first]))
+        second = first + 1 + np.flatnonzero(partner[first + 1 :])
         yield np.stack([np.full_like(second, first), second], axis=1)
 
 
@@ -44,7 +45,8 @@ def line_bounds(problem: SearchProblem, subsets: np.ndarray) -> np.ndarray:
     loads = np.abs(work).max(axis=1)
     maps = grasp_maps(contacts.points, problem.reference_point)[subsets]
     pulls = np.einsum("piDd,pD->pid", maps, directions)
-    capacity = support(pulls, contacts.normals[subsets], contacts.friction[subsets]).sum(axis=1)
+    capacity = support(pulls, contacts.normals[subsets], contacts.friction[subsets])
+    capacity = (problem.strengths[subsets] * capacity).sum(axis=1)
     bounds = np.full(len(subsets), np.inf)
     np.divide(capacity, loads, out=bounds, where=loads > 0)
     return bounds

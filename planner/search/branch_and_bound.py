@@ -1,0 +1,240 @@
+"""Branch and bound on the cut table, with cuts made where they are needed.
+
+    pop rows of tree nodes, split them, bound the children by min_k sum_j U[C_j, k];
+    prune a child when its bound is at most 1 / level, with level = rho / (1 + gap) of the incumbent;
+    evaluate a child that is a single subset: either a new cut prunes it, or it is the new incumbent.
+
+When no row is open, no subset beats the level, and the cuts that pruned are the proof. With another level (see
+`planner.search.incumbents`) the same search returns the k best grasps, or all within a tolerance, proven complete.
+"""
+
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from planner.search.apart import Apart
+from planner.search.closure import impossible_direction
+from planner.search.cuts import CutTable
+from planner.search.evaluation import Evaluator
+from planner.search.frontier import Frontier, split
+from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
+from planner.search.local_search import STARTS, add_vertex_cuts, evaluate_below, improve, random_subset
+from planner.search.node_bounds import NodeBounds
+from planner.search.problem import SearchProblem
+from planner.search.result import Progress, SearchResult, Status, relative_gap
+from planner.search.settings import SearchSettings
+from planner.search.spacing import Spacing
+from planner.search.tree import build_tree
+from planner.search.two_fingers import line_bounds, pairs
+
+FEW = 256
+"""Candidates that a local search begins with: neighbours in the tree are represented by one of them."""
+
+BATCH = 512
+"""Rows split together."""
+
+
+class BranchAndBound:
+    """State of one certified search."""
+
+    def __init__(
+        self,
+        problem: SearchProblem,
+        method: SearchSettings,
+        observe: Callable[[Progress], None],
+        stop: Callable[[], bool],
+        began: float | None = None,
+        earlier: Sequence[np.ndarray] = (),
+        directions: Sequence[np.ndarray] = (),
+    ) -> None:
+        """
+        Args:
+            problem: What to search.
+            method: How.
+            observe: Called with every line of the search log.
+            stop: Ends the search once true.
+            began: When the clock of the log and the time limit started, `time.perf_counter()`; by default now [s].
+            earlier: Subsets that are not wanted again, nor any like them, shape (m,) each.
+            directions: Cuts known beforehand, shape (D,) each.
+        """
+        self.problem, self.method, self.observe, self.stop = problem, method, observe, stop
+        self.began = time.perf_counter() if began is None else began
+        self.evaluator = Evaluator(problem)
+        self.cuts = CutTable(problem)
+        self.tree = build_tree(problem)
+        self.spacing = Spacing(problem, self.tree)
+        self.apart = Apart(problem, self.tree, earlier, method.apart)
+        for direction in directions:
+            self.cuts.add(direction)
+        self.bounds = NodeBounds(self.tree, self.cuts)
+        self.frontier = Frontier(problem.fingers)
+        self.frontier.push(self.tree.first_row[None], np.array([np.inf]))
+        self.incumbents = Incumbents(
+            problem.force_ceiling,
+            method.gap,
+            method.keep,
+            method.within,
+            lambda subset: bool(self.apart.admit(subset[None])[0]),
+        )
+        self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
+        self.nodes = 0
+        self.trace: list[Progress] = []
+
+    @property
+    def threshold(self) -> float:
+        """Rows bounded by this hold nothing that is wanted [1/N]."""
+        return 1 / self.incumbents.level
+
+    def halted(self) -> Status | None:
+        """Why the search has to end before its proof is complete, if it has to."""
+        if self.stop():
+            return Status.INTERRUPTED
+        return Status.TIME_LIMIT if time.perf_counter() - self.began > self.method.time_limit else None
+
+    def search(self) -> Status:
+        add_vertex_cuts(self.cuts)
+        if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
+            return self.search_pairs()
+        self.start_incumbent()
+        if self.incumbents.best is None and self.impossible_at_once():
+            return Status.INFEASIBLE
+        self.log()
+        while len(self.frontier):
+            if status := self.halted():
+                return status
+            self.advance()
+            if time.perf_counter() - self.began > 2 * self.trace[-1].seconds + 0.5:
+                self.log()
+        return self.proven_status()
+
+    def search_pairs(self) -> Status:
+        """Two fingers in space: the moment about their line settles most pairs, the rest are evaluated."""
+        self.log()
+        possible = []
+        for subsets in pairs(self.problem):
+            if status := self.halted():
+                return status
+            subsets = subsets[self.apart.admit(subsets)]
+            possible.append(subsets[self.drop(line_bounds(self.problem, subsets))])
+            self.nodes += len(subsets)
+        for subset in np.concatenate(possible):
+            if status := self.halted():
+                return status
+            self.evaluate(subset)
+        self.frontier.pop(1)
+        return self.proven_status()
+
+    def proven_status(self) -> Status:
+        """What the bounds of everything pruned amount to, once nothing is open."""
+        if self.incumbents.best is None:
+            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else Status.UNRESOLVED
+        gap = relative_gap(self.incumbents.rho, self.lower_bound())
+        return Status.OPTIMAL if gap <= max(self.method.gap, SOLVER_ACCURACY) else Status.UNRESOLVED
+
+    def start_incumbent(self) -> None:
+        """Local search from random subsets: first among few spread candidates, then among all."""
+        generator = np.random.default_rng(self.method.seed)
+        count = len(self.problem.contacts)
+        few = np.sort(self.tree.order[:: -(-count // FEW)])
+        for _ in range(STARTS):
+            subset = random_subset(self.problem, generator)
+            if subset is None:
+                return
+            self.climb(self.climb(subset, few))
+
+    def climb(self, subset: np.ndarray, among: np.ndarray | None = None) -> np.ndarray:
+        """Local search from a subset, near it or among the given candidates; returns where it ended."""
+        return improve(self.evaluator, self.cuts, subset, self.incumbents, lambda: self.halted() is not None, among)
+
+    def impossible_at_once(self) -> bool:
+        """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
+        direction = impossible_direction(self.problem)
+        if direction is None or not self.cuts.add(direction):
+            return False
+        bound = float(np.sort(self.cuts.values[:, -1])[-self.problem.fingers :].sum())
+        if bound > self.threshold:
+            return False
+        self.frontier.pop(1)
+        self.pruned_bound, self.bounds.useful = bound, {len(self.cuts) - 1}
+        return True
+
+    def advance(self) -> None:
+        """Split the most recent open rows, prune, and evaluate the single subsets among their children."""
+        rows, bounds = self.frontier.pop(BATCH)
+        self.nodes += len(rows)
+        children, parents = split(rows, self.tree)
+        possible = self.spacing.possible(children) & self.apart.possible(children)
+        children, parents = children[possible], parents[possible]
+        self.bounds.extend()
+        bounds = self.bounds.bound(children, bounds[parents], self.threshold)
+        open_ = self.drop(bounds)
+        children, bounds = children[open_], bounds[open_]
+        single = (self.tree.sizes[children] == 1).all(axis=1)
+        self.frontier.push(children[~single], bounds[~single])
+        best_first = np.argsort(-bounds[single], kind="stable")
+        leaves, bounds = children[single][best_first], bounds[single][best_first]
+        for done, row in enumerate(leaves):
+            if self.halted():
+                self.frontier.push(leaves[done:], bounds[done:])  # still open: the bound must not forget them
+                return
+            self.evaluate(np.sort(self.tree.order[self.tree.start[row]]))
+
+    def drop(self, bounds: np.ndarray) -> np.ndarray:
+        """Which bounds exceed the threshold; the largest of the others is remembered."""
+        open_ = bounds > self.threshold
+        self.pruned_bound = max(self.pruned_bound, min(self.threshold, float(bounds[~open_].max(initial=0.0))))
+        return open_
+
+    def evaluate(self, subset: np.ndarray) -> None:
+        """Decide a single subset: pruned by a cut, or evaluated and offered to the incumbents."""
+        if self.cuts.bound(subset)[0] > self.threshold and subset not in self.incumbents:
+            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level)
+            if wanted is not None:
+                self.incumbents.offer(wanted)
+                self.climb(subset)
+        bound, cut = self.cuts.bound(subset)
+        self.bounds.useful.add(cut)
+        self.pruned_bound = max(self.pruned_bound, bound)
+
+    def lower_bound(self) -> float:
+        """No subset has a smaller rho [N]; claims beyond the force ceiling are not made."""
+        weakest = max(self.pruned_bound, self.frontier.weakest_bound)
+        if self.incumbents.best is not None:
+            weakest = max(weakest, self.cuts.bound(self.incumbents.best.subset)[0])
+        ceiling = self.problem.force_ceiling
+        return min(1 / weakest, ceiling) if weakest > 0 else ceiling
+
+    def log(self) -> None:
+        line = Progress(
+            seconds=time.perf_counter() - self.began,
+            nodes=self.nodes,
+            open=len(self.frontier),
+            lower_bound=self.lower_bound(),
+            incumbent=self.incumbents.rho,
+            socp_solves=self.evaluator.solves,
+            cuts=len(self.cuts),
+        )
+        self.trace.append(line)
+        self.observe(line)
+
+    def result(self, status: Status) -> SearchResult:
+        """The end state, with the open rows bounded by all cuts."""
+        if len(self.frontier):
+            self.bounds.extend()
+            rows, bounds = self.frontier.pop(len(self.frontier))
+            bounds = self.bounds.bound(rows, bounds, self.threshold)
+            open_ = self.drop(bounds)
+            self.frontier.push(rows[open_], bounds[open_])
+            self.bounds.useful.update(range(len(self.cuts)))  # any of them may bound what is still open
+        self.bounds.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
+        self.log()
+        return SearchResult(
+            problem=self.problem,
+            method="certified",
+            status=status,
+            grasps=self.incumbents.grasps,
+            lower_bound=self.lower_bound(),
+            directions=self.cuts.directions[sorted(self.bounds.useful)],
+            trace=tuple(self.trace),
+        )
