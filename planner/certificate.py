@@ -1,22 +1,29 @@
 """Does a set of cuts prove a bound on rho for every subset? Checked without a solver and without the search.
 
-The claim: for every m-subset N, min_k sum_{i in N} a_i(lambda_k) <= 1 / bound. It is settled by enumeration when
-there are few subsets, otherwise by halving groups of candidates until every combination of groups is covered by
-one cut. For two fingers in space the moment about the line through the pair counts as one more cut.
+The claim: for every m-subset N that has the right number of fingers of each kind and keeps spacing and span,
+
+    min_k sum_{i in N} s_i a_i(lambda_k) <= 1 / bound,
+
+s_i the strength of the finger at candidate i. It is settled by enumeration when there are few subsets, otherwise by
+groups of candidates, split until every row of groups is covered by one cut (`planner.certificate_groups`). For two
+fingers in space the moment about the line through the pair counts as one more cut.
 """
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import comb
+from itertools import chain, combinations, islice, product
 
 import numpy as np
 
+from planner.certificate_groups import Groups, group_candidates
+from planner.errors import CandidateError
 from planner.grasp import Certificate
 
-MOST_ENUMERATED = 20_000_000
-"""Subsets up to which enumeration is used."""
+MOST_ENUMERATED = 100_000
+"""Subsets up to which enumeration is used: a second."""
 
-SMALL_GROUP = 8
-"""Groups up to this size are looked up afresh: remembering them all would double the memory of the table."""
+BATCH = 2048
+"""Rows of groups that are split together."""
 
 ROUNDING = 1e-9
 """Relative slack for the rounding of a sum of a few numbers."""
@@ -36,26 +43,41 @@ class BoundCheck:
 
 
 def check_bound(
-    certificate: Certificate, fingers: int, reference_point: np.ndarray, wrenches: np.ndarray, bound: float
+    certificate: Certificate,
+    fingers: int,
+    reference_point: np.ndarray,
+    wrenches: np.ndarray,
+    bound: float,
+    observe: Callable[[int], None] = lambda _: None,
 ) -> BoundCheck:
     """Check that no subset of the candidates has rho below a bound.
 
     Args:
-        certificate: Candidates and cuts.
+        certificate: Candidates, cuts, and what every subset must keep to.
         fingers: Size m of the subsets.
         reference_point: p_o, shape (d,) [m].
         wrenches: Vertices of W_R, shape (l, D) [N, N m].
         bound: Claimed lower bound on rho [N].
+        observe: Called now and then with the number of subsets that are settled.
+
+    Raises:
+        CandidateError: If the kinds of fingers do not add up to `fingers`.
     """
-    points, normals = certificate.candidates.points, certificate.candidates.normals
-    arms = points - reference_point
-    table = capacities(arms, normals, certificate.candidates.friction, certificate.cuts, wrenches)
+    candidates = certificate.candidates
+    counts = [(kind.fingers, kind.candidates) for kind in certificate.kinds] or [(fingers, len(candidates))]
+    if sum(count for count, _ in counts) != fingers:
+        raise CandidateError(f"the kinds of fingers {certificate.kinds} do not add up to {fingers} fingers")
+    arms = candidates.points - reference_point
+    table = capacities(arms, candidates.normals, candidates.friction, certificate.cuts, wrenches)
+    table *= certificate.strengths[:, None]
     most = (1 + ROUNDING) / bound
-    if fingers == 2 and points.shape[1] == 3:
-        return _check_pairs(table, arms, wrenches, most)
-    if comb(len(points), fingers) <= MOST_ENUMERATED:
-        return _enumerate(table, fingers, most)
-    return _halve_groups(table, points, fingers, most)
+    if fingers == 2 and candidates.dimension == 3:
+        return _check_pairs(certificate, table, arms, wrenches, most)
+    groups = group_candidates(candidates.points, candidates.normals, [count for _, count in counts], table)
+    check = _Check(groups=groups, spacing=certificate.spacing, span=certificate.span, most=most, observe=observe)
+    if certificate.subsets(fingers) <= MOST_ENUMERATED:
+        return check.enumerate(counts)
+    return check.split([count for count, _ in counts])
 
 
 def capacities(
@@ -93,94 +115,93 @@ def capacities(
     return table
 
 
-def _enumerate(table: np.ndarray, fingers: int, most: float) -> BoundCheck:
-    """All subsets, the last member of each vectorised."""
-    count = len(table)
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _Check:
+    """One check: groups of candidates, the claim, and who is told of the progress."""
 
-    def uncovered(prefix: tuple[int, ...], sums: np.ndarray) -> tuple[int, ...]:
-        first = prefix[-1] + 1 if prefix else 0
-        if len(prefix) == fingers - 1:
-            best = (sums + table[first:]).min(axis=1, initial=np.inf)
-            return (*prefix, first + int(best.argmax())) if best.max(initial=0.0) > most else ()
-        for member in range(first, count - (fingers - len(prefix)) + 1):
-            found = uncovered((*prefix, member), sums + table[member])
-            if found:
-                return found
-        return ()
+    groups: Groups
+    spacing: float
+    span: float
+    most: float
+    observe: Callable[[int], None]
 
-    counterexample = uncovered((), np.zeros(table.shape[1]))
-    return BoundCheck(proven=not counterexample, method="enumeration", counterexample=counterexample)
+    def enumerate(self, counts: list[tuple[int, int]]) -> BoundCheck:
+        """All subsets, one by one; `counts` are the fingers and candidates of each kind."""
+        subsets, settled = _subsets(counts), 0
+        single = np.flatnonzero(self.groups.size == 1)
+        group_of = single[np.argsort(self.groups.first[single])]
+        while batch := list(islice(subsets, BATCH)):
+            open_ = self.open(group_of[np.array(batch)])
+            if len(open_):
+                return self.refuted("enumeration", open_[0])
+            settled += len(batch)
+            self.observe(settled)
+        return BoundCheck(proven=True, method="enumeration")
 
+    def split(self, fingers: list[int]) -> BoundCheck:
+        """Rows of groups, depth first; `fingers` is how many there are of each kind."""
+        settled = 0.0
+        rows = np.repeat(np.arange(len(fingers)), fingers)[None]
+        while len(rows):
+            rows, children = rows[:-BATCH], self.groups.split(rows[-BATCH:])
+            open_ = self.open(children)
+            settled += self.groups.subsets(children).sum() - self.groups.subsets(open_).sum()
+            self.observe(round(settled))
+            if len(open_) and (self.groups.size[open_] == 1).all(axis=1).any():
+                return self.refuted("groups", open_[(self.groups.size[open_] == 1).all(axis=1).argmax()])
+            rows = np.concatenate([rows, open_])
+        return BoundCheck(proven=True, method="groups")
 
-def _halve_groups(table: np.ndarray, points: np.ndarray, fingers: int, most: float) -> BoundCheck:
-    """Combinations of groups of neighbouring candidates; a group is a run of `table` sorted by repeated halving."""
-    order = _neighbour_order(points)
-    table = table[order]
-    best: dict[tuple[int, int], np.ndarray] = {}
+    def open(self, rows: np.ndarray) -> np.ndarray:
+        """The rows that keep their distances and are covered by no cut, the worst covered last."""
+        rows = rows[self.groups.possible(rows, self.spacing, self.span)]
+        sums = self.groups.least_sums(rows)
+        return rows[np.argsort(sums)][(sums <= self.most).sum() :]
 
-    def maximum(group: tuple[int, int]) -> np.ndarray:
-        start, stop = group
-        if stop - start <= SMALL_GROUP:
-            return table[start:stop].max(axis=0)
-        if group not in best:
-            best[group] = table[start:stop].max(axis=0)
-        return best[group]
-
-    stack = [((0, len(table)),) * fingers]
-    while stack:
-        groups = stack.pop()
-        if np.sum([maximum(group) for group in groups], axis=0).min(initial=np.inf) <= most:
-            continue
-        start, stop = max(groups, key=lambda group: group[1] - group[0])
-        if stop - start == 1:
-            subset = tuple(sorted(int(order[group[0]]) for group in groups))
-            return BoundCheck(proven=False, method="groups", counterexample=subset)
-        others = [group for group in groups if group != (start, stop)]
-        copies, middle = fingers - len(others), (start + stop) // 2
-        stack.extend(
-            (*others, *[(start, middle)] * low, *[(middle, stop)] * (copies - low))
-            for low in range(copies + 1)
-            if low <= middle - start and copies - low <= stop - middle
-        )
-    return BoundCheck(proven=True, method="groups")
+    def refuted(self, method: str, row: np.ndarray) -> BoundCheck:
+        """The verdict on a row of single candidates that is open."""
+        subset = tuple(sorted(self.groups.first[row].tolist()))
+        return BoundCheck(proven=False, method=method, counterexample=subset)
 
 
-def _neighbour_order(points: np.ndarray) -> np.ndarray:
-    """Candidates sorted so that every run made by repeated halving lies close together."""
-    order = np.arange(len(points))
-    stack = [(0, len(points))]
-    while stack:
-        start, stop = stack.pop()
-        if stop - start < 2:
-            continue
-        run = order[start:stop]
-        axis = np.ptp(points[run], axis=0).argmax()
-        order[start:stop] = run[np.argsort(points[run, axis], kind="stable")]
-        middle = (start + stop) // 2
-        stack += [(start, middle), (middle, stop)]
-    return order
+def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
+    """Every choice of candidates: for each kind as many as it has fingers."""
+    choices, start = [], 0
+    for fingers, candidates in counts:
+        choices.append(combinations(range(start, start + candidates), fingers))
+        start += candidates
+    return (tuple(chain(*parts)) for parts in product(*choices))
 
 
-def _check_pairs(table: np.ndarray, arms: np.ndarray, wrenches: np.ndarray, most: float) -> BoundCheck:
+def _check_pairs(
+    certificate: Certificate, table: np.ndarray, arms: np.ndarray, wrenches: np.ndarray, most: float
+) -> BoundCheck:
     """All pairs of contacts in space: covered by a cut, or by the moment W_R asks about their line."""
+    points, kind, strengths = certificate.candidates.points, certificate.kind, certificate.strengths
+    alike = len(certificate.kinds) < 2  # else there is one finger of each kind
     for first in range(len(arms) - 1):
-        best = (table[first] + table[first + 1 :]).min(axis=1, initial=np.inf)
-        others = first + 1 + np.flatnonzero(best > most)
-        open_ = others[_turning(arms[first], arms[others], wrenches) > most]
+        distances = np.linalg.norm(points - points[first], axis=1)
+        possible = (distances >= certificate.spacing) & (distances <= certificate.span)
+        possible &= alike | (kind != kind[first])
+        others = first + 1 + np.flatnonzero(possible[first + 1 :])
+        others = others[_turning(arms[first], arms[others], strengths[first], strengths[others], wrenches) > most]
+        open_ = others[(table[first] + table[others]).min(axis=1, initial=np.inf) > most]
         if len(open_):
             return BoundCheck(proven=False, method="enumeration", counterexample=(first, int(open_[0])))
     return BoundCheck(proven=True, method="enumeration")
 
 
-def _turning(arm: np.ndarray, arms: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+def _turning(
+    arm: np.ndarray, arms: np.ndarray, strength: float, strengths: np.ndarray, wrenches: np.ndarray
+) -> np.ndarray:
     """Bounds on 1 / rho of one contact paired with others, from the moment about their line, shape (others,) [1/N].
 
-    A contact does at most |v| along a direction that moves it with velocity v; here v is zero but for rounding.
+    A contact does at most s |v| along a direction that moves it with velocity v; here v is zero but for rounding.
     """
     lines = np.where((arms == arm).all(axis=1, keepdims=True), [1.0, 0.0, 0.0], arms - arm)
     forces = np.cross(arm, lines)
     asked = np.abs(forces @ wrenches[:, :3].T + lines @ wrenches[:, 3:].T).max(axis=1)
-    velocities = np.linalg.norm(forces + np.cross(lines, arm), axis=1) + np.linalg.norm(
-        forces + np.cross(lines, arms), axis=1
-    )
-    return np.divide(velocities, asked, out=np.full(len(arms), np.inf), where=asked > 0)
+    own = np.linalg.norm(forces + np.cross(lines, arm), axis=1)
+    other = np.linalg.norm(forces + np.cross(lines, arms), axis=1)
+    done = strength * own + strengths * other
+    return np.divide(done, asked, out=np.full(len(arms), np.inf), where=asked > 0)

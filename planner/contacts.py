@@ -21,7 +21,7 @@ class Contacts:
 
     Raises:
         ContactError: On shapes that do not match, values that are not finite, normals that are not unit
-            vectors, or friction that is not positive.
+            vectors, or friction or strength that is not positive.
     """
 
     points: np.ndarray
@@ -32,6 +32,9 @@ class Contacts:
 
     friction: np.ndarray
     """Coulomb coefficients, shape (contacts,)."""
+
+    strength: np.ndarray | None = None
+    """See `strengths`; None where all fingers are of strength 1, shape (contacts,)."""
 
     def __post_init__(self) -> None:
         if self.points.ndim != 2 or self.points.shape[1] not in (2, 3):
@@ -47,6 +50,10 @@ class Contacts:
             raise ContactError("a contact normal is not a unit vector")
         if not (np.isfinite(self.friction) & (self.friction > 0)).all():
             raise ContactError(f"friction must be positive and finite, got {self.friction.min(initial=np.inf)}")
+        if self.strengths.shape != self.friction.shape:
+            raise ContactError(f"strengths {self.strengths.shape} do not match points {self.points.shape}")
+        if not (np.isfinite(self.strengths) & (self.strengths > 0)).all():
+            raise ContactError(f"a finger's strength must be positive and finite, got {self.strengths.min()}")
 
     def __len__(self) -> int:
         return len(self.points)
@@ -56,9 +63,19 @@ class Contacts:
         """Dimension d of the space the object lives in: 2 or 3."""
         return int(self.points.shape[1])
 
+    @property
+    def strengths(self) -> np.ndarray:
+        """s_i: at the force level phi, the finger at contact i pushes with |f_i| <= s_i phi; shape (contacts,)."""
+        return np.ones(len(self)) if self.strength is None else self.strength
+
     def subset(self, indices: np.ndarray) -> "Contacts":
         """The contacts at `indices`, shape (m,), in that order."""
-        return Contacts(points=self.points[indices], normals=self.normals[indices], friction=self.friction[indices])
+        return Contacts(
+            points=self.points[indices],
+            normals=self.normals[indices],
+            friction=self.friction[indices],
+            strength=None if self.strength is None else self.strength[indices],
+        )
 
 
 def wrench_dimension(dimension: int) -> int:

@@ -21,6 +21,10 @@ class TaskError(RhograspError):
     """The required external force set is empty, malformed or not finite."""
 
 
+class LimitsError(RhograspError):
+    """The limits of the fingers are malformed, contradict each other, or do not fit the object."""
+
+
 class ContactError(RhograspError):
     """Contact points, normals or friction coefficients are malformed."""
 
@@ -35,6 +39,10 @@ class GraspFileError(RhograspError):
 
 class OutputError(RhograspError):
     """A result cannot be written where the user asked."""
+
+
+class RenderingError(RhograspError):
+    """A picture cannot be drawn: no OpenGL, or a package is missing."""
 
 
 class SolverError(RhograspError):

@@ -4,6 +4,7 @@ from typing import Annotated
 
 import msgspec
 
+from planner.candidates.candidates import CandidateChoice
 from planner.grasp import SearchRecord
 from planner.search.result import Status
 
@@ -46,7 +47,7 @@ class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
     """Vertices, (force, moment) in body axes [N, N m]."""
 
 
-class ContactRecord(msgspec.Struct, frozen=True, kw_only=True):
+class ContactRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     """One fingertip contact."""
 
     position: Vector
@@ -55,14 +56,34 @@ class ContactRecord(msgspec.Struct, frozen=True, kw_only=True):
     friction: Positive
     geom: str
     candidate: Count
+    strength: Positive | None = None
+    """The finger here must be able to push with strength times rho; left out where it is 1."""
 
 
-class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`."""
+class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """Fingers that are alike, and how many of the candidates are for them."""
+
+    fingers: Annotated[int, msgspec.Meta(ge=1)]
+    candidates: Annotated[int, msgspec.Meta(ge=1)]
+    strength: Positive
+
+
+class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`.
+
+    The bound is about all subsets of candidates with the right number of fingers of each kind and whose distances keep
+    spacing and span.
+    """
 
     file: str
     sha256: str
     cuts: Count
+    kinds: list[KindRecord] = []
+    """Kinds of fingers, whose candidates follow each other in the side file; left out where all fingers are alike."""
+    spacing: Positive | None = None
+    """Least distance between two contacts [m]; left out where there is none."""
+    span: Positive | None = None
+    """Greatest distance between two contacts [m]; left out where there is none."""
 
 
 class PlannerRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -70,10 +91,14 @@ class PlannerRecord(msgspec.Struct, frozen=True, kw_only=True):
 
     version: str
     packages: dict[str, str]
+    command: str | None = None
+    """The command line, as a shell takes it; null where the grasp was made from Python."""
 
 
 class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     """A grasp file. Positions, normals and forces in the body frame, SI.
+
+    rho is the force level: finger i must be able to push with strength_i rho, its strength being 1 where not given.
 
     forces[j] balance task.wrenches[j]: sum f = -force and sum (p - reference_point) x f = -moment.
     """
@@ -85,7 +110,7 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     contacts: list[ContactRecord]
     """Empty when the status is infeasible or no grasp was found."""
     rho: float | None
-    """Largest fingertip force needed [N]; null without contacts."""
+    """The force level needed, the largest |f_i| / strength_i [N]; null without contacts."""
     lower_bound: float
     """Proven lower bound on rho of every subset of the candidates [N]."""
     gap: float | None
@@ -94,9 +119,11 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     critical_wrench: int | None
     """Index of the wrench that needs rho."""
     phi: Vector
-    """Least largest fingertip force for each wrench [N]."""
+    """Least force level for each wrench [N]."""
     forces: list[list[Vector]]
     """Contact forces, one row of forces per wrench [N]."""
+    candidate_choice: CandidateChoice | None = None
+    """How the candidates were chosen; null where it is not known."""
     search: SearchRecord
     certificate: CertificateRecord
     planner: PlannerRecord

@@ -10,15 +10,17 @@ import io
 import os
 import re
 import zipfile
+from dataclasses import asdict
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from planner.atomic_write import write_atomically
-from planner.contacts import Contacts, wrench_dimension
+from planner.contacts import Contacts
 from planner.errors import GraspFileError, RhograspError
 from planner.grasp import Certificate, Grasp
+from planner.grasp_agreement import check_agreement
 from planner.grasp_document import (
     FORMAT,
     FORMAT_VERSION,
@@ -26,26 +28,34 @@ from planner.grasp_document import (
     ContactRecord,
     GraspDocument,
     Header,
+    KindRecord,
     ObjectRecord,
     PlannerRecord,
     TaskRecord,
 )
 from planner.objects.given_mass import GivenMass
-from planner.search.problem import MOST_FINGERS
-from planner.search.result import relative_gap
+from planner.search.finger_kind import FingerKind
 from planner.task import Task
 
 SUFFIX = ".grasp.json"
 
 MAX_JSON_BYTES = 256 * 2**20
 MAX_ARRAY_BYTES = 2**30
-AGREEMENT = 1e-6
-"""Relative accuracy to which numbers stored twice must agree."""
+ON_ONE_LINE = r'\[\n[^\[\]{}"]*\]|\{\n *"seconds"[^\[\]{}]*\}'
+"""A vector, or a line of the search log; a line break is never part of a JSON string, so names are left alone."""
 
 
 def certificate_path(path: Path) -> Path:
     """The side file of a grasp file."""
     return path.with_suffix(".npz")
+
+
+def numbered(path: Path, number: int) -> Path:
+    """Where the grasp of that rank goes: X.grasp.json for the best, then X.2.grasp.json and so on."""
+    if number == 1:
+        return path
+    stem, suffix = (path.name.removesuffix(SUFFIX), SUFFIX) if path.name.endswith(SUFFIX) else (path.stem, path.suffix)
+    return path.with_name(f"{stem}.{number}{suffix}")
 
 
 def write_grasp(path: Path, grasp: Grasp) -> None:
@@ -69,7 +79,7 @@ def write_grasp(path: Path, grasp: Grasp) -> None:
     )
     document = _document(path, grasp, hashlib.sha256(arrays.getvalue()).hexdigest())
     text = msgspec.json.format(msgspec.json.encode(document), indent=2).decode()
-    text = re.sub(r"\[[^\[\]{}\"]*\]", lambda row: " ".join(row.group().split()), text)  # a vector stays on one line
+    text = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text)
     write_atomically(certificate_path(path), arrays.getvalue())
     write_atomically(path, text.encode() + b"\n")
 
@@ -85,7 +95,7 @@ def read_grasp(path: Path) -> Grasp:
     arrays = _read_arrays(path.parent / Path(document.certificate.file).name, document.certificate.sha256)
     try:
         grasp = _grasp(path, document, arrays)
-        _check(document, grasp)
+        check_agreement(document, grasp)
     except (RhograspError, ValueError) as error:
         raise GraspFileError(f"{path} is not a consistent grasp file: {error}; plan it again") from error
     return grasp
@@ -116,6 +126,7 @@ def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
                 friction=float(contacts.friction[i]),
                 geom=grasp.geoms[i],
                 candidate=int(grasp.candidates[i]),
+                strength=None if contacts.strengths[i] == 1 else float(contacts.strengths[i]),
             )
             for i in range(len(contacts))
         ],
@@ -127,10 +138,20 @@ def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
         phi=grasp.phi.tolist(),
         forces=grasp.forces.tolist(),
         search=grasp.search,
-        certificate=CertificateRecord(
-            file=certificate_path(path).name, sha256=arrays_sha256, cuts=len(grasp.certificate.cuts)
-        ),
-        planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages),
+        certificate=_certificate_record(grasp.certificate, certificate_path(path).name, arrays_sha256),
+        planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
+        candidate_choice=grasp.candidate_choice,
+    )
+
+
+def _certificate_record(certificate: Certificate, file: str, sha256: str) -> CertificateRecord:
+    return CertificateRecord(
+        file=file,
+        sha256=sha256,
+        cuts=len(certificate.cuts),
+        kinds=[KindRecord(**asdict(kind)) for kind in certificate.kinds],
+        spacing=certificate.spacing or None,
+        span=_finite(certificate.span),
     )
 
 
@@ -201,6 +222,7 @@ def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -
             points=np.array([contact.position for contact in contacts], dtype=float).reshape(shape),
             normals=np.array([contact.normal for contact in contacts], dtype=float).reshape(shape),
             friction=np.array([contact.friction for contact in contacts], dtype=float),
+            strength=np.array([1.0 if contact.strength is None else contact.strength for contact in contacts]),
         ),
         geoms=tuple(contact.geom for contact in contacts),
         candidates=np.array([contact.candidate for contact in contacts], dtype=np.int64),
@@ -209,50 +231,24 @@ def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -
         phi=np.array(document.phi, dtype=float),
         forces=np.array(document.forces, dtype=float).reshape(len(document.phi), *shape),
         search=document.search,
-        certificate=Certificate(candidates=candidates, cuts=arrays["cuts"]),
+        certificate=_certificate(document.certificate, candidates, arrays["cuts"]),
         packages=document.planner.packages,
         given=_given(document.object),
+        candidate_choice=document.candidate_choice,
+        command=document.planner.command,
+    )
+
+
+def _certificate(record: CertificateRecord, candidates: Contacts, cuts: np.ndarray) -> Certificate:
+    return Certificate(
+        candidates=candidates,
+        cuts=cuts,
+        kinds=tuple(FingerKind(**msgspec.structs.asdict(kind)) for kind in record.kinds),
+        spacing=record.spacing or 0.0,
+        span=np.inf if record.span is None else record.span,
     )
 
 
 def _given(record: ObjectRecord) -> GivenMass:
     center = record.given_center_of_mass
     return GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center))
-
-
-def _check(document: GraspDocument, grasp: Grasp) -> None:
-    """Raise GraspFileError where numbers that the file states twice disagree."""
-    size = wrench_dimension(grasp.certificate.candidates.dimension)
-    if grasp.task.wrenches.shape[1] != size or grasp.certificate.cuts.shape != (document.certificate.cuts, size):
-        raise GraspFileError(f"wrenches and cuts must have {size} numbers each")
-    if not np.isfinite(grasp.certificate.cuts).all():
-        raise GraspFileError("a cut is not finite")
-    if not 1 <= grasp.search.fingers <= min(MOST_FINGERS, len(grasp.certificate.candidates)):
-        raise GraspFileError(f"{grasp.search.fingers} fingers for {len(grasp.certificate.candidates)} candidates")
-    if not grasp.found:
-        if document.rho is not None or len(grasp.phi):
-            raise GraspFileError("rho and phi are given without contacts")
-        return
-    if len(grasp.contacts) != grasp.search.fingers or len(grasp.phi) != len(grasp.task.wrenches):
-        raise GraspFileError(
-            f"{len(grasp.contacts)} contacts for {grasp.search.fingers} fingers, "
-            f"{len(grasp.phi)} values of phi for {len(grasp.task.wrenches)} wrenches"
-        )
-    if grasp.candidates.max() >= len(grasp.certificate.candidates) or len(set(grasp.candidates.tolist())) < len(
-        grasp.candidates
-    ):
-        raise GraspFileError(f"contacts name candidates {grasp.candidates.tolist()}, repeated or out of range")
-    _agree("position", grasp.contacts.points, grasp.certificate.candidates.points[grasp.candidates])
-    _agree("phi", grasp.phi, np.linalg.norm(grasp.forces, axis=2).max(axis=1))
-    _agree("rho", np.array(document.rho, dtype=float), grasp.phi.max())
-    _agree("gap", np.array(document.gap, dtype=float), np.array(relative_gap(grasp.rho, grasp.lower_bound)))
-    if document.critical_wrench != grasp.critical_wrench:
-        raise GraspFileError(
-            f"critical_wrench is {document.critical_wrench}; phi is largest at {grasp.critical_wrench}"
-        )
-
-
-def _agree(name: str, stated: np.ndarray, derived: np.ndarray) -> None:
-    difference = np.abs(stated - derived).max()
-    if not difference <= AGREEMENT * max(1.0 if name == "gap" else 0.0, float(np.abs(derived).max())):
-        raise GraspFileError(f"{name} does not agree with the rest of the file (off by {difference:.3g}): edited?")

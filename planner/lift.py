@@ -17,7 +17,7 @@ from dataclasses import replace
 import numpy as np
 
 from planner.contacts import Contacts
-from planner.grasp import Certificate, Grasp
+from planner.grasp import Grasp
 from planner.objects.extrusion import extruded
 from planner.objects.graspable import Graspable
 from planner.objects.planar_object import PlanarObject
@@ -39,9 +39,7 @@ def lift_wrenches(wrenches: np.ndarray) -> np.ndarray:
 
 def lift_contacts(contacts: Contacts) -> Contacts:
     """Contacts in the plane as contacts in space."""
-    return Contacts(
-        points=lift_vectors(contacts.points), normals=lift_vectors(contacts.normals), friction=contacts.friction
-    )
+    return replace(contacts, points=lift_vectors(contacts.points), normals=lift_vectors(contacts.normals))
 
 
 def in_space(rigid_object: Graspable, grasp: Grasp) -> tuple[RigidObject, Grasp]:
@@ -58,6 +56,8 @@ def in_space(rigid_object: Graspable, grasp: Grasp) -> tuple[RigidObject, Grasp]
         ),
         contacts=lift_contacts(grasp.contacts),
         forces=lift_vectors(grasp.forces),
-        certificate=Certificate(candidates=lift_contacts(certificate.candidates), cuts=lift_wrenches(certificate.cuts)),
+        certificate=replace(
+            certificate, candidates=lift_contacts(certificate.candidates), cuts=lift_wrenches(certificate.cuts)
+        ),
     )
     return extruded(rigid_object), lifted

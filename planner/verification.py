@@ -4,7 +4,9 @@ Forces are checked by the definition of balance, cone and cap; rho by an indepen
 problem; the bound by the cuts of the certificate (`planner.certificate`).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -13,6 +15,9 @@ from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Grasp
 from planner.search.result import Status
+
+Observe = Callable[[str, float, float], None]
+"""Told what is counted, how much of it is done, and of how much."""
 
 TOLERANCE = 1e-6
 """Relative accuracy asked of forces and of rho."""
@@ -30,16 +35,20 @@ class Check:
     detail: str
 
 
-def verify(grasp: Grasp) -> tuple[Check, ...]:
+def verify(grasp: Grasp, observe: Observe = lambda *_: None) -> tuple[Check, ...]:
     """Check every claim of a grasp.
+
+    Args:
+        grasp: What to check.
+        observe: Told the progress of what may take long.
 
     Returns:
         One check per claim; the grasp is true if all hold.
     """
     checks = []
     if grasp.found:
-        checks = [_contacts(grasp), _balance(grasp), _cones(grasp), _rho(grasp)]
-    return (*checks, _bound(grasp), _status(grasp))
+        checks = [_contacts(grasp), _balance(grasp), _cones(grasp), _caps(grasp), _rho(grasp, observe)]
+    return (*checks, _bound(grasp, observe), _status(grasp))
 
 
 def _contacts(grasp: Grasp) -> Check:
@@ -49,12 +58,35 @@ def _contacts(grasp: Grasp) -> Check:
         float(np.abs(grasp.contacts.points - contacts.points).max()) / float(np.abs(candidates.points).max() or 1.0),
         float(np.abs(grasp.contacts.normals - contacts.normals).max()),
         float(np.abs(grasp.contacts.friction - contacts.friction).max()),
+        float(np.abs(grasp.contacts.strengths / grasp.certificate.strengths[grasp.candidates] - 1).max()),
     )
+    broken = _broken_limits(grasp)
     return Check(
-        claim="the contacts are candidates",
-        holds=difference <= TOLERANCE,
-        detail=f"largest difference {difference:.1e}",
+        claim="the contacts are candidates that keep the limits" if _limited(grasp) else "the contacts are candidates",
+        holds=difference <= TOLERANCE and not broken,
+        detail="; ".join([f"largest difference {difference:.1e}", *broken]),
     )
+
+
+def _limited(grasp: Grasp) -> bool:
+    certificate = grasp.certificate
+    return bool(certificate.kinds) or certificate.spacing > 0 or certificate.span < np.inf
+
+
+def _broken_limits(grasp: Grasp) -> list[str]:
+    """What the chosen candidates do not keep: as many of each kind as it has fingers, spacing and span."""
+    certificate, chosen = grasp.certificate, grasp.candidates
+    broken = []
+    for number, kind in enumerate(certificate.kinds):
+        count = int((certificate.kind[chosen] == number).sum())
+        if count != kind.fingers:
+            broken.append(f"{count} contacts for the {kind.fingers} fingers of kind {number + 1}")
+    for first, second in combinations(range(len(chosen)), 2):
+        points = certificate.candidates.points[chosen]
+        distance = float(np.linalg.norm(points[first] - points[second]))
+        if not certificate.spacing <= distance <= certificate.span:
+            broken.append(f"contacts {first + 1} and {second + 1} are {distance:.6g} m apart")
+    return broken
 
 
 def _balance(grasp: Grasp) -> Check:
@@ -87,17 +119,25 @@ def _cones(grasp: Grasp) -> Check:
     )
 
 
-def _rho(grasp: Grasp) -> Check:
+def _caps(grasp: Grasp) -> Check:
+    """|f_i| <= s_i phi for every wrench, and phi <= rho."""
+    lengths = np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths
+    excess = float((lengths - grasp.phi[:, None]).max()) / grasp.rho
+    return Check(
+        claim="no finger pushes harder than it has to be able to",
+        holds=excess <= TOLERANCE,
+        detail=f"largest excess {max(excess, 0.0):.1e} of rho",
+    )
+
+
+def _rho(grasp: Grasp, observe: Observe) -> Check:
     """rho is the largest phi, each from an independent model."""
     solver = ReferenceForces(len(grasp.contacts), grasp.contacts.dimension)
-    phi = np.array(
-        [
-            solver.solve(
-                ForceProblem(contacts=grasp.contacts, reference_point=grasp.task.reference_point, wrench=wrench)
-            ).phi
-            for wrench in grasp.task.wrenches
-        ]
-    )
+    task, phi = grasp.task, np.empty(len(grasp.task.wrenches))
+    for row, wrench in enumerate(task.wrenches):
+        observe("wrenches solved by an independent solver", row, len(phi))
+        problem = ForceProblem(contacts=grasp.contacts, reference_point=task.reference_point, wrench=wrench)
+        phi[row] = solver.solve(problem).phi
     difference = float(np.abs(phi - grasp.phi).max()) / grasp.rho
     return Check(
         claim="an independent solver finds the same forces for every wrench",
@@ -106,15 +146,21 @@ def _rho(grasp: Grasp) -> Check:
     )
 
 
-def _bound(grasp: Grasp) -> Check:
+def _bound(grasp: Grasp, observe: Observe) -> Check:
     """The cuts prove the lower bound for every subset."""
     search, certificate = grasp.search, grasp.certificate
     claim = f"no {search.fingers} of {len(certificate.candidates)} candidates need less than {grasp.lower_bound:.6g} N"
     if grasp.lower_bound <= 0:
         return Check(claim=claim, holds=True, detail="no bound is claimed")
     task = grasp.task
-    check = check_bound(certificate, search.fingers, task.reference_point, task.wrenches, grasp.lower_bound)
-    detail = f"{len(certificate.cuts)} cuts, {search.subsets} subsets, by {check.method}"
+    subsets = certificate.subsets(search.fingers)
+
+    def settled(count: int) -> None:
+        observe("subsets bounded by the cuts", count, subsets)
+
+    settled(0)
+    check = check_bound(certificate, search.fingers, task.reference_point, task.wrenches, grasp.lower_bound, settled)
+    detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method}"
     if check.counterexample:
         detail += f"; no cut covers subset {check.counterexample}"
     return Check(claim=claim, holds=check.proven, detail=detail)

@@ -4,10 +4,13 @@ python scripts/benchmark_validation.py --out benchmark            # some minutes
 python scripts/benchmark_validation.py --out benchmark --quick    # seconds, on few sizes
 """
 
-import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Annotated
 
+import tyro
+
+from planner.commands.console import Console
 from planner.commands.terminal import ExitCode, parse, run
 
 WRENCHES, FINGERS = (16, 64, 256, 1024, 4096), (3, 4, 5, 6, 7, 8)
@@ -26,12 +29,17 @@ class Options:
     quick: bool = False
     """Few and small sizes."""
 
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors."""
 
-def benchmark(options: Options) -> ExitCode:
+
+def benchmark(options: Options, console: Console) -> ExitCode:
     """Measure, print, write."""
+    console.show("loading MuJoCo and Matplotlib")
     from planner.atomic_write import write_atomically  # here: the help must not wait for MuJoCo
     from planner.exports.figures import new_figure
-    from sim.cost import Cost, measure_cost
+    from sim.cost import measure_cost
+    from sim.critical_force import expected_simulations
     from sim.plots import plot_cost
     from sim.tables import make_folder, to_csv
 
@@ -40,30 +48,34 @@ def benchmark(options: Options) -> ExitCode:
     sizes = QUICK_WRENCHES if options.quick else WRENCHES
     fingers = QUICK_FINGERS if options.quick else FINGERS
     middle = sizes[-1] if options.quick else 64
-    print(f"{'fingers':>8} {'wrenches':>9} {'set up':>8} {'forces':>8} {'stepping':>9} {'measure':>8} {'ratio':>7}")
+    runs = [(fingers[0], sizes[0])]  # pays for imports and caches
+    runs += [(4, size) for size in sizes] + [(count, middle) for count in fingers]
+    work = [size + (expected_simulations(size) if size <= BISECTED else 0) for _, size in runs]
+    console.say(
+        f"{'fingers':>8} {'wrenches':>9} {'set up':>8} {'forces':>8} {'stepping':>9} {'measure':>8} {'ratio':>7}"
+    )
 
-    def measured(count: int, wrenches: int) -> Cost:
+    costs = []
+    for number, (count, wrenches) in enumerate(runs):
+        console.count(f"simulations ({count} fingers, {wrenches} wrenches)", sum(work[:number]), sum(work))
         cost = measure_cost(count, wrenches, bisect=wrenches <= BISECTED)
-        print(
+        console.say(
             f"{cost.fingers:8d} {cost.wrenches:9d} {cost.set_up:7.3f}s {cost.forces:7.3f}s {cost.stepping:8.3f}s "
-            f"{cost.measuring:7.2f}s {cost.ratio:7.4f}",
-            flush=True,
+            f"{cost.measuring:7.2f}s {cost.ratio:7.4f}"
         )
-        return cost
-
-    measured(fingers[0], sizes[0])  # the first run pays for imports and caches
-    by_wrenches = [measured(4, size) for size in sizes]
-    by_fingers = [measured(count, middle) for count in fingers]
+        costs.append(cost)
+    by_wrenches, by_fingers = costs[1 : 1 + len(sizes)], costs[1 + len(sizes) :]
     write_atomically(options.out / "costs.csv", to_csv([asdict(cost) for cost in by_wrenches + by_fingers]))
     plot_cost(options.out / "costs.png", by_wrenches, by_fingers)
-    print(f"wrote {options.out / 'costs.csv'} and costs.png", file=sys.stderr)
+    console.say(f"wrote {options.out / 'costs.csv'} and costs.png")
     return ExitCode.DONE
 
 
 def main() -> None:
     """Entry point."""
     options = parse(Options, "benchmark_validation")
-    run(lambda: benchmark(options))
+    console = Console(quiet=options.quiet)
+    run(lambda: benchmark(options, console), console)
 
 
 if __name__ == "__main__":

@@ -8,12 +8,14 @@
 3. Wrong planners, on purpose: what the measurement makes of them.
 """
 
-import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
+import tyro
+
+from planner.commands.console import Console
 from planner.commands.terminal import ExitCode, parse, run
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ NAMES = ("box", "bracket", "cylinder", "ellipsoid", "mug", "prism")
 FINGERS, FRICTIONS, GRASPS = (3, 4, 5), (0.2, 0.4, 0.6, 0.8, 1.0), 32
 FACTORS = (0.99, 1.01)
 SABOTAGED_FRICTION = 0.5
+MEASURED, TESTED, SABOTAGED = "grasps (measured rho)", "grasps (wrong verdicts)", "grasps (wrong planners)"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,9 +42,13 @@ class Options:
     quick: bool = False
     """Two assets, one of everything else."""
 
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors."""
 
-def measure_all(options: Options) -> ExitCode:
+
+def measure_all(options: Options, console: Console) -> ExitCode:
     """Measure, print, write."""
+    console.show("loading MuJoCo and Matplotlib")
     from planner.exports.figures import new_figure  # here: the help must not wait for MuJoCo
     from planner.objects.mjcf import read_object
     from sim.tables import make_folder
@@ -50,58 +57,66 @@ def measure_all(options: Options) -> ExitCode:
     new_figure(1, 1)  # without Matplotlib, say so before the work and not after
     names = NAMES[:2] if options.quick else NAMES
     objects = [read_object(ASSETS / name / f"{name}.xml") for name in names]
-    _rho(objects, options)
-    wrong = _tally(objects, options)
-    _sabotage(objects, options)
-    print(f"wrote {options.out}", file=sys.stderr)
+    _rho(objects, options, console)
+    wrong = _tally(objects, options, console)
+    _sabotage(objects, options, console)
+    console.say(f"wrote {options.out}")
     return ExitCode.FAILED if wrong else ExitCode.DONE
 
 
-def _rho(objects: "Sequence[RigidObject]", options: Options) -> None:
+def _rho(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 1 and the plot."""
     from sim.plots import plot_rho
-    from sim.rho_table import rho_rows
+    from sim.rho_table import RhoRow, rho_rows
 
     fingers, frictions = (FINGERS[:1], FRICTIONS[2:3]) if options.quick else (FINGERS, FRICTIONS)
-    rows = []
+    rows: list[RhoRow] = []
+    total = len(objects) * len(fingers) * len(frictions)
+    console.count(MEASURED, 0, total)
     for row in rho_rows(objects, fingers, frictions, seed=options.seed):
         rows.append(row)
         outcome = row.note or f"rho {row.predicted:.5g} N, measured / predicted {row.ratio:.4f}"
-        print(f"{row.object:12} {row.fingers} fingers, friction {row.friction:.1f}: {outcome}", flush=True)
+        console.say(f"{row.object:12} {row.fingers} fingers, friction {row.friction:.1f}: {outcome}")
+        console.count(MEASURED, len(rows), total)
     ratios = [row.ratio for row in rows if not row.note]
     if ratios:
-        print(f"{len(ratios)} grasps: measured / predicted from {min(ratios):.4f} to {max(ratios):.4f}")
+        console.say(f"{len(ratios)} grasps: measured / predicted from {min(ratios):.4f} to {max(ratios):.4f}")
     _save(options.out / "rho", [asdict(row) | {"ratio": row.ratio} for row in rows])
     plot_rho(options.out / "rho.png", rows)
 
 
-def _tally(objects: "Sequence[RigidObject]", options: Options) -> int:
+def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console) -> int:
     """Table 2; returns the number of wrong verdicts."""
     from sim.survey import random_grasps, tally
 
+    console.show("drawing random grasps")
     grasps = random_grasps(objects, 2 if options.quick else GRASPS, options.seed)
-    tallies = tally(grasps, FACTORS, observe=lambda done: print(f"{done} of {len(grasps)} grasps", file=sys.stderr))
+    tallies = tally(grasps, FACTORS, observe=lambda done: console.count(TESTED, done, len(grasps)))
     for each in tallies:
         kind = "false passes" if each.factor < 1 else "false fails"
-        print(f"cap {each.factor:g} phi: {each.wrong} {kind} in {each.tests} single-wrench tests")
+        console.say(f"cap {each.factor:g} phi: {each.wrong} {kind} in {each.tests} single-wrench tests")
     _save(options.out / "tally", [asdict(each) for each in tallies])
     return sum(each.wrong for each in tallies)
 
 
-def _sabotage(objects: "Sequence[RigidObject]", options: Options) -> None:
+def _sabotage(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 3."""
     from sim.sabotage import SABOTAGES, measure_sabotage
     from sim.survey import planned_grasp
 
-    rows = []
-    for rigid_object in objects[:1] if options.quick else objects:
+    rows: list[dict[str, object]] = []
+    sabotaged = objects[:1] if options.quick else objects
+    total = len(sabotaged) * len(SABOTAGES)
+    console.count(SABOTAGED, 0, total)
+    for rigid_object in sabotaged:
         grasp = planned_grasp(rigid_object, FINGERS[0], SABOTAGED_FRICTION, options.seed)
         for sabotage in SABOTAGES:
             critical = measure_sabotage(grasp, sabotage)
             ratio = critical.ratio if critical else float("nan")
             outcome = "no cap holds" if ratio == float("inf") else f"{ratio - 1:+.1%}"
-            print(f"{rigid_object.file.stem:12} {sabotage.name:32} {outcome}", flush=True)
+            console.say(f"{rigid_object.file.stem:12} {sabotage.name:32} {outcome}")
             rows.append({"object": rigid_object.file.stem, "sabotage": sabotage.name, "ratio": ratio})
+            console.count(SABOTAGED, len(rows), total)
     _save(options.out / "sabotage", rows)
 
 
@@ -117,7 +132,8 @@ def _save(stem: Path, rows: list[dict[str, object]]) -> None:
 def main() -> None:
     """Entry point."""
     options = parse(Options, "measure_all")
-    run(lambda: measure_all(options))
+    console = Console(quiet=options.quiet)
+    run(lambda: measure_all(options, console), console)
 
 
 if __name__ == "__main__":

@@ -7,15 +7,17 @@ Case III is the paper's own. The outlines of Cases I and II appear only in its f
 ours, of the same size (56 and 86 candidates) under the same rules; their numbers are not the paper's.
 """
 
-import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
+import tyro
 
 from planner.atomic_write import require_writable, write_atomically
 from planner.candidates.choice import make_candidates
+from planner.commands.console import Console
 from planner.commands.terminal import ExitCode, parse, run
 from planner.contacts import Contacts
 from planner.exports.figures import draw_outline, new_figure, object_figure, save_figure
@@ -60,6 +62,9 @@ class Options:
     quick: bool = False
     """Reduced candidates: every table and figure in about a minute."""
 
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors."""
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Case:
@@ -67,6 +72,24 @@ class Case:
 
     name: str
     problem: SearchProblem
+
+
+class Examined:
+    """Combinations examined so far, of all that the tables need: where the time goes."""
+
+    def __init__(self, console: Console, total: int) -> None:
+        self._console, self._done, self._total = console, 0, total
+
+    def begin(self, what: str, combinations: int) -> Callable[[Progress], None]:
+        """So many more begin to be examined; returns what hears the search."""
+        name, begun = f"combinations ({what})", self._done
+        self._done += combinations
+
+        def hear(line: Progress) -> None:
+            self._console.count(name, begun + max(combinations - line.open, 0), self._total)
+
+        self._console.count(name, begun, self._total)
+        return hear
 
 
 def planar_object(name: str) -> PlanarObject:
@@ -131,7 +154,7 @@ def prism_table(problem: SearchProblem, best: Evaluation, solved: int) -> Iterat
     yield f"| of these solved exactly by the paper's algorithm | 21 | {solved} |\n"
 
 
-def planar_tables(*, quick: bool) -> Iterator[str]:
+def planar_tables(examined: Examined, *, quick: bool) -> Iterator[str]:
     """rho in the layout of the paper's Table 1, each value confirmed by enumeration."""
     yield "## Our planar cases (not the paper's: its outlines are only in its figures)\n"
     for name, count in PLANAR.items():
@@ -140,14 +163,14 @@ def planar_tables(*, quick: bool) -> Iterator[str]:
         yield "|---" * (1 + len(FRICTIONS)) + "|"
         for fingers in FINGERS:
             cases = [planar_case(name, fingers, friction, quick=quick) for friction in FRICTIONS]
-            values = [agreed_rho(case) for case in cases]
+            values = [agreed_rho(case, examined) for case in cases]
             yield f"| {fingers} fingers | " + " | ".join(f"{rho:.4g}" for rho in values) + " |"
         yield ""
 
 
-def agreed_rho(case: Case) -> float:
+def agreed_rho(case: Case, examined: Examined) -> float:
     """rho by the certified search and by enumeration of all combinations, which must agree."""
-    print(f"{case.name}: enumeration", file=sys.stderr)
+    examined.begin(f"{case.name}: enumeration", case.problem.subsets)
     rho = CertifiedSearch(gap=1e-4).run(case.problem).rho
     best = exhaustive_search(case.problem)
     if best is None or abs(best.rho / rho - 1) > 2e-4:
@@ -155,24 +178,16 @@ def agreed_rho(case: Case) -> float:
     return rho
 
 
-def timed(case: Case) -> dict[str, SearchResult]:
-    """Every search on one case, with its log on standard error."""
+def timed(case: Case, examined: Examined) -> dict[str, SearchResult]:
+    """Every search on one case; the certified one examines too few combinations to count."""
     results = {}
     for name, search in SEARCHES.items():
-        print(f"{case.name}: {name}", file=sys.stderr)
-        results[name] = search.run(case.problem, show)
+        combinations = case.problem.subsets if isinstance(search, PaperSearch) else 0
+        results[name] = search.run(case.problem, examined.begin(f"{case.name}: {name}", combinations))
     rho = [result.rho for result in results.values()]
     if max(rho) > min(rho) * (1 + 1e-3):
         raise SystemExit(f"{case.name}: the searches disagree about rho: {rho}")
     return results
-
-
-def show(line: Progress) -> None:
-    """One line of a search log."""
-    print(
-        f"  {line.seconds:8.1f} s  open {line.open:9,}  rho {line.incumbent:.5g}  bound {line.lower_bound:.5g}",
-        file=sys.stderr,
-    )
 
 
 def time_table(results: dict[str, dict[str, SearchResult]]) -> Iterator[str]:
@@ -206,20 +221,22 @@ def draw(out: Path, *, quick: bool) -> None:
         save_figure(out / f"{name}.png", figure)
 
 
-def reproduce(options: Options) -> ExitCode:
+def reproduce(options: Options, console: Console) -> ExitCode:
     """Everything, printed as it is done and saved at the end."""
     options.out.mkdir(parents=True, exist_ok=True)
     require_writable(options.out / "paper.md")
     quick = options.quick
     cases = [planar_case(name, fingers, 0.3, quick=quick) for name in PLANAR for fingers in FINGERS]
     case3 = prism_case(quick=quick)
-    results = {case.name: timed(case) for case in [*cases, case3]}
+    planar = sum(case.problem.subsets for case in cases)
+    examined = Examined(console, 2 * (planar + case3.problem.subsets) + len(FRICTIONS) * planar)
+    results = {case.name: timed(case, examined) for case in [*cases, case3]}
     best = best_of_ties(case3.problem)
     lines = ["# The paper, reproduced\n"]
     lines += ["Quick run on reduced candidates.\n"] if quick else []
     lines += prism_table(case3.problem, best, results[case3.name]["relaxation"].trace[-1].nodes)
-    lines += [*planar_tables(quick=quick), *time_table(results)]
-    print("\n".join(lines))
+    lines += [*planar_tables(examined, quick=quick), *time_table(results)]
+    console.say("\n".join(lines))
     write_atomically(options.out / "paper.md", "\n".join(lines).encode())
     draw(options.out, quick=quick)
     contacts = case3.problem.contacts
@@ -229,4 +246,6 @@ def reproduce(options: Options) -> ExitCode:
 
 
 if __name__ == "__main__":
-    run(lambda: reproduce(parse(Options, "reproduce_paper.py")))
+    options = parse(Options, "reproduce_paper.py")
+    console = Console(quiet=options.quiet)
+    run(lambda: reproduce(options, console), console)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from time import perf_counter
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 from xml.etree import ElementTree
 
 import mujoco
@@ -22,6 +22,7 @@ import tyro
 from planner.atomic_write import require_writable, write_atomically
 from planner.candidates.choice import make_candidates
 from planner.candidates.confirmed import confirmed_candidates
+from planner.commands.console import Console
 from planner.commands.terminal import ExitCode, parse, run
 from planner.errors import ObjectError, RhograspError
 from planner.grasp import Grasp
@@ -57,6 +58,9 @@ class Options:
 
     out: Path | None = None
     """Markdown file to write the table to."""
+
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors."""
 
 
 class Row(NamedTuple):
@@ -129,16 +133,19 @@ def measured(validation: Validation) -> str:
     return "" if validation.critical_force is None else f"{validation.critical_force.ratio:.4f}"
 
 
-def run_objects(options: Options) -> ExitCode:
+def run_objects(options: Options, console: Console) -> ExitCode:
     """Print the table row by row, and save it."""
-    logging.getLogger("planner").setLevel(logging.ERROR)  # warnings are what grasp-inspect is for
+    logging.getLogger("planner.objects").setLevel(logging.ERROR)  # warnings are what grasp-inspect is for
     if options.out is not None:
         require_writable(options.out)
     lines, good = [HEADER, "|---" * HEADER.count(" | ") + "|---|"], True
-    print("\n".join(lines))
-    for path in objects(options.folder):
-        for each in rows(path, options):
-            print(each.text, flush=True)
+    console.say("\n".join(lines))
+    files, per_object = objects(options.folder), len(TASKS) * len(FINGERS)
+    for number, path in enumerate(files):
+        console.count(f"grasps ({path.stem})", number * per_object, len(files) * per_object)
+        for done, each in enumerate(rows(path, options), start=number * per_object + 1):
+            console.say(each.text)
+            console.count(f"grasps ({path.stem})", done, len(files) * per_object)
             lines.append(each.text)
             good &= each.good
     if options.out is not None:
@@ -147,4 +154,6 @@ def run_objects(options: Options) -> ExitCode:
 
 
 if __name__ == "__main__":
-    run(lambda: run_objects(parse(Options, "run_objects.py")))
+    options = parse(Options, "run_objects.py")
+    console = Console(quiet=options.quiet)
+    run(lambda: run_objects(options, console), console)

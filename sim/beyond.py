@@ -5,7 +5,7 @@ here it is an experiment. Wrenches in and on W_R, and loads that wander inside i
 rho; the critical wrench a little enlarged must slip with the cap at rho.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +25,8 @@ TURN_TIME = 0.6
 """Seconds of one turn [s]: slow enough to be quasi-static."""
 OUTSIDE = 1.02
 """The critical wrench times this is outside of what rho can hold."""
+SIMULATIONS = 2 * SAMPLES + 1 + 3 + RANDOM_PATHS
+"""At most so many are run."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -69,7 +71,13 @@ class Beyond:
         return (f"{OUTSIDE:g} times the critical wrench was held with the cap at rho: the experiment cannot fail",)
 
 
-def measure_beyond(experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, seed: int = 0) -> Beyond:
+def measure_beyond(
+    experiment: Experiment,
+    wrenches: np.ndarray,
+    critical_wrench: int,
+    seed: int = 0,
+    observe: Callable[[float], None] = lambda _: None,
+) -> Beyond:
     """Measure wrenches inside, on and outside W_R, and loads that turn inside.
 
     Args:
@@ -77,6 +85,7 @@ def measure_beyond(experiment: Experiment, wrenches: np.ndarray, critical_wrench
         wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
         critical_wrench: Index of the wrench that decides rho.
         seed: Of the random wrenches.
+        observe: Called now and then with how many of the SIMULATIONS are done.
 
     Raises:
         SimulationError: When MuJoCo stops or loses a simulation.
@@ -87,7 +96,7 @@ def measure_beyond(experiment: Experiment, wrenches: np.ndarray, critical_wrench
     boundary = boundary_wrenches(wrenches, SAMPLES, rng)
     outside = OUTSIDE * wrenches[critical_wrench][None]
     caps = np.append(np.full(2 * SAMPLES, factor), 1.0)
-    outcome = experiment.measure(np.vstack([inside, boundary, outside]), caps)
+    outcome = experiment.measure(np.vstack([inside, boundary, outside]), caps, observe)
     paths = np.concatenate([rotating_forces(wrenches), rotating_wrenches(wrenches, RANDOM_PATHS, rng)])
     return Beyond(
         interior=outcome.rows(slice(0, SAMPLES)),

@@ -1,5 +1,8 @@
 """The four controls of a validation: less cap, no load, less friction, another contact."""
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 
 from planner.contacts import Contacts
@@ -56,7 +59,11 @@ def creep_control(outcome: Measurement, protocol: ValidationProtocol) -> Control
 
 
 def friction_control(
-    experiment: Experiment, trial: Trial, reference_point: np.ndarray, wrenches: np.ndarray
+    experiment: Experiment,
+    trial: Trial,
+    reference_point: np.ndarray,
+    wrenches: np.ndarray,
+    observe: Callable[[float], None] = lambda _: None,
 ) -> Control:
     """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
 
@@ -67,15 +74,16 @@ def friction_control(
         trial: Every wrench at the cap of the verdict.
         reference_point: p_o, shape (3,) [m].
         wrenches: The same wrenches, shape (wrenches, 6) [N, N m].
+        observe: Called now and then with how many simulations are done.
 
     Raises:
         SimulationError: When MuJoCo stops or loses a simulation.
     """
     protocol, contacts = experiment.protocol, experiment.contacts
     friction = protocol.friction_factor * contacts.friction
-    slippery = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
+    slippery = replace(contacts, friction=friction)
     phi = predicted_caps(slippery, reference_point, wrenches)
-    outcome = experiment.with_friction(friction).perform(trial)
+    outcome = experiment.with_friction(friction).perform(trial, observe)
     return Control(
         name="friction",
         change=f"friction at {protocol.friction_factor:g} of the planned, cap at {protocol.hold_factor:g} rho",

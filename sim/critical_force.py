@@ -7,6 +7,7 @@ one go, and widens the band only for the wrenches whose cap lies outside it.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import ceil, log2
 
 import numpy as np
 
@@ -66,7 +67,7 @@ def measure_critical_force(
     phi: np.ndarray,
     protocol: ValidationProtocol = ACTIVE,
     simulated_friction: np.ndarray | None = None,
-    observe: Callable[[str], None] = lambda _: None,
+    observe: Callable[[float, float], None] = lambda *_: None,
 ) -> CriticalForce:
     """Bisect the cap of every wrench.
 
@@ -78,7 +79,7 @@ def measure_critical_force(
         phi: Predicted cap of every wrench, positive, shape (wrenches,) [N].
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
-        observe: Called with a line of progress now and then.
+        observe: Called now and then with how many simulations are done and how many are expected in all.
 
     Raises:
         SimulationError: When a fingertip is not where it was planned, a prediction is not positive and finite, or
@@ -103,8 +104,16 @@ def check_predictions(phi: np.ndarray) -> None:
         raise SimulationError(f"phi must be positive and finite to be measured; the least is {phi.min()} N")
 
 
+def expected_simulations(wrenches: int) -> int:
+    """Simulations of a bisection when every cap lies in the narrowest band: its ends, and the halvings of the rest."""
+    return wrenches * (2 + ceil(log2(2 * BANDS[0] / RESOLUTION)))
+
+
 def bisect_caps(
-    experiment: Experiment, wrenches: np.ndarray, phi: np.ndarray, observe: Callable[[str], None] = lambda _: None
+    experiment: Experiment,
+    wrenches: np.ndarray,
+    phi: np.ndarray,
+    observe: Callable[[float, float], None] = lambda *_: None,
 ) -> CriticalForce:
     """The same in an experiment that is set up and whose fingertips touch where planned.
 
@@ -112,7 +121,7 @@ def bisect_caps(
         experiment: Set up for any rho.
         wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
         phi: Predicted cap of every wrench, positive and finite, shape (wrenches,) [N].
-        observe: Called with a line of progress now and then.
+        observe: Called now and then with how many simulations are done and how many are expected in all.
 
     Raises:
         SimulationError: When MuJoCo stops or loses a simulation.
@@ -120,16 +129,14 @@ def bisect_caps(
     scaled = wrenches / (experiment.units.force * phi)[:, None]
     slipped, held = np.zeros(len(phi)), np.full(len(phi), np.inf)
 
+    finished = 0
+
     def test(rows: np.ndarray, caps: np.ndarray) -> None:
         """Simulate wrenches `rows` at these multiples of their phi and draw the brackets in."""
-        done = 0
-
-        def tell(simulations: int) -> None:
-            nonlocal done
-            done += simulations
-            observe(f"bisection: {done} of {len(rows)} simulations of this round")
-
-        holds = experiment.measure(scaled[rows], caps, tell).held
+        nonlocal finished
+        before, expected = finished, max(finished + len(rows), expected_simulations(len(phi)))
+        finished += len(rows)
+        holds = experiment.measure(scaled[rows], caps, lambda done: observe(before + done, expected)).held
         np.minimum.at(held, rows[holds], caps[holds])
         np.maximum.at(slipped, rows[~holds], caps[~holds])
 

@@ -4,7 +4,7 @@ The contact p with inward normal n of a part's facet moves to the facet's neares
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -64,5 +64,5 @@ def _moved(rigid_object: RigidObject, contacts: Contacts, finger: int, step: np.
         return None
     points, normals = contacts.points.copy(), contacts.normals.copy()
     points[finger], normals[finger] = point[0], normal[0]
-    moved = Contacts(points=points, normals=normals, friction=contacts.friction)
+    moved = replace(contacts, points=points, normals=normals)
     return DisplacedGrasp(contacts=moved, finger=finger, distance=distance)

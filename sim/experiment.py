@@ -13,9 +13,11 @@ from sim.measurement import Measurement, measure
 from sim.object_joints import joints_of
 from sim.protocol import ValidationProtocol
 from sim.scene import Scene, build_scene, with_friction
+from sim.schedule import steps
 from sim.similarity import Similarity, similarity
 from sim.static_check import StaticCheck, check_touch
 from sim.trial import Trial, run
+from sim.workload import each_step
 
 MOST_SIMULATIONS = 512
 """Simulations per batch; more would not run faster."""
@@ -36,7 +38,7 @@ class Experiment:
     """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
 
     def measure(
-        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[int], None] = lambda _: None
+        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[float], None] = lambda _: None
     ) -> Measurement:
         """Run all simulations, the forces answering each wrench within its cap.
 
@@ -45,7 +47,7 @@ class Experiment:
         Args:
             wrenches: One per simulation, shape (simulations, 6) [N, N m].
             caps: One per simulation, relative to rho, shape (simulations,).
-            observe: Called after every batch with the number of simulations it finished.
+            observe: Called after every step with how many simulations are done; half-run ones count half.
 
         Raises:
             SimulationError: When MuJoCo stops or loses a simulation.
@@ -53,21 +55,26 @@ class Experiment:
         parts = []
         for start in range(0, len(caps), MOST_SIMULATIONS):
             rows = slice(start, start + MOST_SIMULATIONS)
-            parts.append(self.perform(self.adaptive(wrenches[rows], caps[rows])))
-            observe(len(parts[-1].caps))
+            trial = self.adaptive(wrenches[rows], caps[rows])
+            parts.append(self.perform(trial, _after(start, observe)))
         return Measurement.joined(parts)
 
     def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
         """The trial in which the forces answer each wrench within its cap; see `measure`."""
         return adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
 
-    def perform(self, trial: Trial) -> Measurement:
+    def perform(self, trial: Trial, observe: Callable[[float], None] = lambda _: None) -> Measurement:
         """Run one batch.
+
+        Args:
+            trial: What is done.
+            observe: Called after every step with how many simulations are done; half-run ones count half.
 
         Raises:
             SimulationError: When MuJoCo stops or loses a simulation.
         """
-        return measure(self.scene, trial, run(self.scene, trial, self.protocol), 1 / self.units.force, self.protocol)
+        final = run(self.scene, trial, self.protocol, each_step(observe, len(trial.caps), steps(self.protocol)))
+        return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
 
     def with_friction(self, friction: np.ndarray) -> "Experiment":
         """The same experiment with other friction in the simulator, shape (contacts,).
@@ -76,6 +83,11 @@ class Experiment:
             ContactError: When the friction is not one positive number per contact.
         """
         return replace(self, scene=with_friction(self.scene, friction))
+
+
+def _after(before: int, observe: Callable[[float], None]) -> Callable[[float], None]:
+    """The observer of a batch that begins when so many simulations are done."""
+    return lambda done: observe(before + done)
 
 
 def set_up(
@@ -103,7 +115,7 @@ def set_up(
         ContactError: When the friction is not one positive number per contact.
     """
     units = similarity(contacts, reference_point, rho, protocol.reach)
-    simulated = Contacts(points=contacts.points, normals=contacts.normals, friction=friction)
+    simulated = replace(contacts, friction=friction)
     for tip_radius in protocol.tip_radii:
         scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius, joints_of(rigid_object))
         static = check_touch(scene, rigid_object.size, units.length, protocol)

@@ -1,11 +1,11 @@
 """Finger forces that balance a wrench within a cap and lean on friction as little as possible.
 
-    minimise k   subject to   sum_i G_i f_i = -w,   |t_i| <= k r_i n_i,   |f_i| <= cap,
+    minimise k   subject to   sum_i G_i f_i = -w,   |t_i| <= k r_i n_i,   |f_i| <= s_i cap,
 
-with n_i, t_i the normal and tangential parts of f_i and r_i the friction of contact i relative to the
-largest. The level of friction does not enter, so in the experiment only the simulator decides whether the
-forces hold. Because phi(w, k r) falls as k grows (it is Subproblem 2 with friction k r), the least k is the
-root of phi(w, k r) = cap.
+with n_i, t_i the normal and tangential parts of f_i, r_i the friction of contact i relative to the largest and
+s_i the strength of finger i, usually 1. The level of friction does not enter, so in the experiment only the
+simulator decides whether the forces hold. Because phi(w, k r) falls as k grows (it is Subproblem 2 with friction
+k r), the least k is the root of phi(w, k r) = cap. The variables are f_i / s_i, as in `planner.forces.minimax`.
 """
 
 import numpy as np
@@ -40,7 +40,7 @@ class FeedForward:
             contacts: The grasp; only the ratios of its friction coefficients are used.
             reference_point: Point the wrenches refer to, shape (d,) [m].
         """
-        self.frames = contact_frames(contacts.normals)
+        self.frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
         self.maps = grasp_maps(contacts.points, reference_point) @ self.frames
         self.ratios = contacts.friction / contacts.friction.max()
         self.length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
@@ -54,7 +54,7 @@ class FeedForward:
 
         Args:
             wrench: External wrench, shape (D,) [N, N m].
-            cap: Largest force norm [N].
+            cap: Largest force norm of a finger of strength 1 [N].
 
         Returns:
             Contact forces in body axes, shape (contacts, d) [N].
@@ -65,14 +65,14 @@ class FeedForward:
         return self._in_body_axes(forces)
 
     def internal_force(self, cap: float) -> np.ndarray:
-        """Forces that balance each other with little utilisation, the largest equal to `cap`.
+        """Forces that balance each other with little utilisation, the largest over its strength equal to `cap`.
 
-        The fingers press with one unit along every normal and answer their own press within PRESS units:
-        press and answer together are balanced, and adding a normal leaves no cone. A grasp that cannot
+        The fingers press along every normal, each with its strength, and answer their own press within PRESS
+        units: press and answer together are balanced, and adding a normal leaves no cone. A grasp that cannot
         squeeze (one that only supports) gets no force.
 
         Args:
-            cap: Largest force norm [N].
+            cap: Largest force norm of a finger of strength 1 [N].
 
         Returns:
             Contact forces in body axes, shape (contacts, d) [N].
@@ -88,7 +88,7 @@ class FeedForward:
         return self._in_body_axes(forces * (cap / float(np.linalg.norm(forces, axis=1).max())))
 
     def _least_utilisation(self, wrench: np.ndarray, cap: float) -> tuple[np.ndarray, float]:
-        """Forces in contact frames and their largest norm, which exceeds the cap only if no friction helps.
+        """Forces over strengths in contact frames, and their largest norm: above the cap only if no friction helps.
 
         Finds the friction angle where cap / phi - 1 changes sign (it is -1 where no forces exist) by the
         Illinois method: false position that halves the value of an end kept twice in a row.
@@ -118,7 +118,7 @@ class FeedForward:
         return np.einsum("ide,ie->id", self.frames, forces)
 
     def _solve(self, wrench: np.ndarray, angle: float) -> tuple[np.ndarray, float]:
-        """Forces of least largest norm at one friction angle, and that norm; infinite where there are none."""
+        """Forces over strengths of least largest norm at one friction angle, and that norm; infinite if none exist."""
         forces, phi, _ = self._solver.solve_arrays(self.maps, np.tan(angle) * self.ratios, wrench, self.length)
         return forces, phi
 

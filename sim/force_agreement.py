@@ -12,10 +12,10 @@ class ForceAgreement:
     """How far the contact forces of loaded fingers in MuJoCo are from the predicted ones."""
 
     largest: float
-    """Largest deviation of a force's norm, relative to the cap."""
+    """Largest deviation of a force's norm, relative to the finger's cap."""
 
     typical: float
-    """Median deviation of a force's norm, relative to the cap."""
+    """Median deviation of a force's norm, relative to the finger's cap."""
 
     wrench: int
     """Where the largest deviation is: the wrench."""
@@ -33,16 +33,17 @@ class ForceAgreement:
     """Largest measured |f_t| / f_n, relative to the friction coefficient: at one a finger slides."""
 
 
-def force_agreement(vertices: Measurement, friction: np.ndarray) -> ForceAgreement:
+def force_agreement(vertices: Measurement, friction: np.ndarray, strengths: np.ndarray) -> ForceAgreement:
     """Compare the forces of every wrench and finger.
 
     Args:
         vertices: One simulation per wrench.
         friction: Friction in the simulator, shape (contacts,).
+        strengths: Of the fingers, shape (contacts,): each one's cap is the simulation's times its strength.
     """
     loaded = vertices.loaded
     forces = np.where(loaded, np.abs(vertices.measured_forces - vertices.predicted_forces), 0.0)
-    forces = forces / vertices.caps[:, None]
+    forces = forces / (vertices.caps[:, None] * strengths)
     slopes = np.abs(vertices.measured_utilisations - vertices.predicted_utilisations) / friction
     wrench, finger = np.unravel_index(forces.argmax(), forces.shape)
     return ForceAgreement(

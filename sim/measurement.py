@@ -16,7 +16,7 @@ class Measurement:
     """Outcome per simulation. Lengths are relative to R0, the reach of the grasp; forces are the user's."""
 
     caps: np.ndarray
-    """Largest force norm per finger, shape (simulations,) [N]."""
+    """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
 
     slips: np.ndarray
     """Sliding of each fingertip along the object's surface over R0, shape (simulations, contacts)."""
@@ -87,7 +87,7 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
     slips = sliding / protocol.reach
     translations, rotations = final.translations / protocol.reach, final.rotations
     predicted = np.linalg.norm(trial.forces, axis=2)
-    loaded = predicted > protocol.loaded * trial.caps[:, None]
+    loaded = predicted > protocol.loaded * trial.caps[:, None] * scene.contacts.strengths
     lost = loaded & ~final.touching
     still = (translations < protocol.motion_tolerance) & (rotations < protocol.motion_tolerance)
     gripped = ~(loaded & (slips >= protocol.slip_tolerance)).any(axis=1) & ~lost.any(axis=1)

@@ -7,7 +7,7 @@ from planner.forces.minimax import MinimaxForces
 
 
 def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
-    """phi of every wrench: the least force cap per finger that balances it within the friction cones.
+    """phi of every wrench: the least force level that balances it within the friction cones, |f_i| <= s_i phi.
 
     Args:
         contacts: The grasp.
@@ -18,6 +18,7 @@ def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np
         Shape (wrenches,) [N]; infinite where no forces balance the wrench.
     """
     solver = MinimaxForces(len(contacts), contacts.dimension)
-    maps = grasp_maps(contacts.points, reference_point) @ contact_frames(contacts.normals)
+    frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
+    maps = grasp_maps(contacts.points, reference_point) @ frames
     length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
     return np.array([solver.solve_arrays(maps, contacts.friction, wrench, length)[1] for wrench in wrenches])

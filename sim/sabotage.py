@@ -74,11 +74,11 @@ class PyramidForces(CvxpyForces):
         tangents = contact_frames(normal[None])[0, :, 1:]
         return np.stack([np.cos(angles), np.sin(angles)], axis=1) @ tangents.T
 
-    def inequalities(self, phi: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+    def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
         """See `CvxpyForces.inequalities`."""
         import cvxpy as cp
 
-        return [tangential <= np.cos(np.pi / self.sides) * limit, cp.norm(force) <= phi]
+        return [tangential <= np.cos(np.pi / self.sides) * limit, cp.norm(force) <= cap]
 
 
 class SquareForces(PyramidForces):

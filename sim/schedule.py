@@ -11,8 +11,13 @@ import numpy as np
 from sim.protocol import ValidationProtocol
 
 
+def steps(protocol: ValidationProtocol) -> int:
+    """Number of time steps."""
+    return round(protocol.duration / protocol.timestep)
+
+
 def fractions(protocol: ValidationProtocol) -> np.ndarray:
     """Squeeze s and load fraction a of every time step, shape (steps, 2)."""
-    times = np.arange(1, round(protocol.duration / protocol.timestep) + 1) * protocol.timestep
+    times = np.arange(1, steps(protocol) + 1) * protocol.timestep
     starts, lengths = [0.0, protocol.preload_time], [protocol.preload_time, protocol.ramp_time]
     return np.clip((times[:, None] - starts) / lengths, 0.0, 1.0)

@@ -5,7 +5,7 @@ force, positions map to (p - p_o) L / R0, forces to f / rho and moments to m L /
 change under this map; the gains, masses and tolerances of the protocol can then be constants.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,8 +35,8 @@ class Similarity:
         return wrenches * self.force * np.repeat([1.0, self.length], 3)
 
     def contacts(self, contacts: Contacts) -> Contacts:
-        """Map contact points; normals and friction have no unit."""
-        return Contacts(points=self.points(contacts.points), normals=contacts.normals, friction=contacts.friction)
+        """Map contact points; normals, friction and strengths have no unit."""
+        return replace(contacts, points=self.points(contacts.points))
 
 
 def similarity(contacts: Contacts, reference_point: np.ndarray, rho: float, reach: float) -> Similarity:

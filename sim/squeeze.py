@@ -9,6 +9,7 @@ all of them below. Bisecting c measures the need.
 Slip here is the onset at one finger. The others would often catch the object, each at a force nobody planned.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib.metadata import version
 
@@ -22,7 +23,9 @@ from planner.objects.rigid_object import RigidObject
 from sim.experiment import Experiment, check_wrenches, set_up
 from sim.measurement import measure
 from sim.protocol import ACTIVE, ValidationProtocol
+from sim.schedule import steps
 from sim.trial import Trial, run
+from sim.workload import Observe, each_step
 
 SQUEEZE = replace(
     ACTIVE,
@@ -40,6 +43,7 @@ FORCE_TOLERANCE = 2e-3
 """A finger feels no more than its share when it exceeds it by less than this part."""
 SPAN = 0.1
 """The bisection starts from a band of this half width about the prediction."""
+SQUEEZING = "simulations (smaller and larger squeezes)"
 HALVINGS = 6
 """They narrow the band to 0.3 % of the prediction."""
 AGREEMENT = 0.01
@@ -81,6 +85,7 @@ def measure_squeeze_force(
     wrenches: np.ndarray,
     protocol: ValidationProtocol = SQUEEZE,
     simulated_friction: np.ndarray | None = None,
+    observe: Observe = lambda *_: None,
 ) -> SqueezeForce:
     """Predict and measure what the grasp needs when its forces do not adapt.
 
@@ -91,8 +96,10 @@ def measure_squeeze_force(
         wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        observe: Told now and then how many simulations are done, and of how many at most.
 
     Raises:
+        ContactError: When a finger's strength is not 1.
         SimulationError: When a fingertip is not where it was planned or the experiment cannot be built or run.
         SolverError: When the prediction fails.
     """
@@ -104,7 +111,7 @@ def measure_squeeze_force(
         experiment = set_up(rigid_object, contacts, reference_point, need.squeeze_force, friction, protocol)
         if experiment.static.reasons():
             raise SimulationError("; ".join(experiment.static.reasons()))
-        lower, upper, critical = _bisected(experiment, need, wrenches)
+        lower, upper, critical = _bisected(experiment, need, wrenches, observe)
     return SqueezeForce(
         predicted=need,
         lower=lower * need.squeeze_force if lower > 0 else 0.0,
@@ -115,23 +122,34 @@ def measure_squeeze_force(
     )
 
 
-def _bisected(experiment: Experiment, need: SqueezeNeed, wrenches: np.ndarray) -> tuple[float, float, int | None]:
+def _bisected(
+    experiment: Experiment, need: SqueezeNeed, wrenches: np.ndarray, observe: Observe
+) -> tuple[float, float, int | None]:
     """Bracket of the scale and the wrench that slips most below it.
 
     A wrench that holds at one scale holds at every larger one, so each halving runs only those that slipped.
     """
     lower, upper, critical = 1 - SPAN, 1 + SPAN, None
-    suspects = np.arange(len(wrenches))
-    slipped, most = _slipped(experiment, need, wrenches, suspects, lower)
+    suspects, finished, rounds = np.arange(len(wrenches)), 0, 2 + HALVINGS
+
+    def test(scale: float) -> tuple[np.ndarray, int | None]:
+        nonlocal finished, rounds
+        before, expected = finished, finished + rounds * len(suspects)
+        finished, rounds = finished + len(suspects), rounds - 1
+        return _slipped(
+            experiment, need, wrenches, suspects, scale, lambda done: observe(SQUEEZING, before + done, expected)
+        )
+
+    slipped, most = test(lower)
     if not slipped.size:
         return 0.0, lower, None
     suspects, critical = slipped, most
-    slipped, most = _slipped(experiment, need, wrenches, suspects, upper)
+    slipped, most = test(upper)
     if slipped.size:
         return upper, np.inf, most
     for _ in range(HALVINGS):
         middle = (lower + upper) / 2
-        slipped, most = _slipped(experiment, need, wrenches, suspects, middle)
+        slipped, most = test(middle)
         if slipped.size:
             lower, suspects, critical = middle, slipped, most
         else:
@@ -140,14 +158,20 @@ def _bisected(experiment: Experiment, need: SqueezeNeed, wrenches: np.ndarray) -
 
 
 def _slipped(
-    experiment: Experiment, need: SqueezeNeed, wrenches: np.ndarray, rows: np.ndarray, scale: float
+    experiment: Experiment,
+    need: SqueezeNeed,
+    wrenches: np.ndarray,
+    rows: np.ndarray,
+    scale: float,
+    observe: Callable[[float], None],
 ) -> tuple[np.ndarray, int | None]:
     """Which of the wrenches at `rows` are not held with the preload scaled, and the one that slips most."""
     units, protocol = experiment.units, experiment.protocol
     preload = np.repeat(scale * units.force * need.preload[None], len(rows), axis=0)
     uncapped = np.full(len(rows), np.inf)
     trial = Trial(wrenches=units.wrenches(wrenches[rows]), caps=uncapped, preloads=preload, forces=preload)
-    outcome = measure(experiment.scene, trial, run(experiment.scene, trial, protocol), 1.0, protocol)
+    final = run(experiment.scene, trial, protocol, each_step(observe, len(rows), steps(protocol)))
+    outcome = measure(experiment.scene, trial, final, 1.0, protocol)
     shares = np.linalg.norm(preload + units.force * (need.forces[rows] - need.preload), axis=2)
     judged = shares > protocol.loaded * scale  # a finger the wrench relieves may slide
     slips = np.where(judged, outcome.slips, 0.0).max(axis=1)

@@ -3,7 +3,7 @@
 All are stepped together by mujoco.batch, bit-identical at any number of threads.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +14,10 @@ from sim.force_law import finger_forces
 from sim.protocol import ValidationProtocol
 from sim.scene import SENSOR_WIDTH, Scene
 from sim.schedule import fractions
+
+Observer = Callable[[np.ndarray, np.ndarray], None]
+"""Is shown every step: qpos after it, shape (simulations, nq), and what the contact sensors read during it, shape
+(simulations, contacts, SENSOR_WIDTH). Both arrays are overwritten by the next step."""
 
 LOOK_EVERY = 10
 """Steps between two looks for objects that are gone."""
@@ -27,7 +31,7 @@ class Trial:
     """Final external wrenches, shape (simulations, 6) [N, N m]."""
 
     caps: np.ndarray
-    """Largest force norm per finger, shape (simulations,) [N]."""
+    """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
 
     preloads: np.ndarray
     """Internal forces before the load, shape (simulations, contacts, 3) [N]."""
@@ -67,19 +71,23 @@ class FinalState:
         return 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
 
 
-def run(scene: Scene, trial: Trial, protocol: ValidationProtocol) -> FinalState:
-    """Step every simulation through the schedule.
+def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Observer = lambda *_: None) -> FinalState:
+    """Step every simulation through the schedule, and show every step.
 
     Raises:
         SimulationError: When MuJoCo stops a simulation.
     """
     growth = trial.forces - trial.preloads
     loads = ((load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol))
-    return step_through(scene, loads, trial.caps, protocol)
+    return step_through(scene, loads, trial.caps, protocol, observe)
 
 
 def step_through(
-    scene: Scene, loads: Iterable[tuple[np.ndarray, np.ndarray]], caps: np.ndarray, protocol: ValidationProtocol
+    scene: Scene,
+    loads: Iterable[tuple[np.ndarray, np.ndarray]],
+    caps: np.ndarray,
+    protocol: ValidationProtocol,
+    observe: Observer = lambda *_: None,
 ) -> FinalState:
     """Step every simulation through given loads; an object that is gone is left where it is.
 
@@ -87,8 +95,9 @@ def step_through(
         scene: What is stepped.
         loads: For every step the external wrenches, shape (simulations, 6), and the feed-forward forces, shape
             (simulations, contacts, 3), in the units of the experiment.
-        caps: Largest force norm per finger, shape (simulations,) [N].
+        caps: Largest force norm of a finger of strength 1, shape (simulations,) [N].
         protocol: Settings.
+        observe: Shown every step.
 
     Raises:
         SimulationError: When MuJoCo stops a simulation.
@@ -112,15 +121,17 @@ def step_through(
             contact_forces=sensors[:, :, 1:].copy(),
         )
 
+    finger_caps = caps[:, None] * scene.contacts.strengths
     present = np.arange(simulations, dtype=np.int32)
     try:
         for step, (wrenches, feed_forward) in enumerate(loads, start=1):
             forces = finger_forces(
-                feed_forward, displacements, rates, caps[:, None], protocol.stiffness, protocol.damping
+                feed_forward, displacements, rates, finger_caps, protocol.stiffness, protocol.damping
             )
             joint_forces[:] = forces.reshape(simulations, -1)
             external[:] = wrenches
             batched.step(present)
+            observe(positions, sensors)
             if step % LOOK_EVERY == 0:
                 present = np.flatnonzero(~_gone(state(), protocol)).astype(np.int32)
                 if not present.size:

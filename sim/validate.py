@@ -5,7 +5,6 @@ with the cap slightly below rho, with less friction or with another contact the 
 says, and without load it must not creep.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.metadata import version
 
@@ -16,16 +15,20 @@ from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
-from sim.beyond import Beyond, measure_beyond
+from sim.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.control import Control
 from sim.controls import cap_control, creep_control, displacement_control, friction_control
-from sim.critical_force import CriticalForce, bisect_caps, check_predictions
+from sim.critical_force import CriticalForce, bisect_caps, check_predictions, expected_simulations
 from sim.experiment import Experiment, check_wrenches, set_up
 from sim.force_agreement import ForceAgreement, force_agreement
 from sim.measurement import Measurement
 from sim.protocol import ACTIVE, ValidationProtocol
 from sim.static_check import StaticCheck
 from sim.verdict import Verdict, judge, unheld
+from sim.workload import Observe, Workload
+
+FEW = 4
+"""Simulations of the controls beside those that run every wrench again."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -42,13 +45,16 @@ class Validation:
     """What was held."""
 
     rho: float
-    """Predicted force cap [N]."""
+    """Predicted force cap of a finger of strength 1 [N]."""
 
     critical_wrench: int
     """Index of the wrench that decides rho."""
 
     phi: np.ndarray
     """Predicted cap of every wrench, shape (wrenches,) [N]."""
+
+    strengths: np.ndarray
+    """Of the fingers, shape (contacts,): the cap of each is its strength times that of the simulation."""
 
     planned_friction: np.ndarray
     """Shape (contacts,)."""
@@ -87,7 +93,7 @@ def validate_grasp(
     *,
     measure: bool = False,
     thorough: bool = False,
-    observe: Callable[[str], None] = lambda _: None,
+    observe: Observe = lambda *_: None,
 ) -> Validation:
     """Validate a planned grasp with the friction it was planned with; see `validate`.
 
@@ -97,7 +103,7 @@ def validate_grasp(
         protocol: Settings and thresholds.
         measure: Bisect the cap of every wrench too.
         thorough: Load the grasp with more than the vertices too.
-        observe: Called with a line of progress now and then.
+        observe: Told now and then how many simulations are done, and of how many.
 
     Raises:
         SimulationError: When there are no contacts, or the experiment cannot be built or run as described.
@@ -132,23 +138,23 @@ def validate(
     *,
     measure: bool = False,
     thorough: bool = False,
-    observe: Callable[[str], None] = lambda _: None,
+    observe: Observe = lambda *_: None,
 ) -> Validation:
     """Measure whether the grasp holds every wrench just above rho, in an experiment whose controls behave.
 
     Args:
         rigid_object: What the fingers hold.
-        contacts: The grasp, with the planned friction.
+        contacts: The grasp, with the planned friction and the fingers' strengths.
         reference_point: p_o, shape (3,) [m].
         wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
-        rho: Predicted force cap [N].
+        rho: Predicted force cap of a finger of strength 1 [N].
         critical_wrench: Index of the wrench that decides rho.
         phi: Predicted cap of every wrench, shape (wrenches,) [N].
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
         measure: Bisect the cap of every wrench too.
         thorough: Load the grasp with more than the vertices too.
-        observe: Called with a line of progress now and then.
+        observe: Told now and then how many simulations are done, and of how many.
 
     Raises:
         SimulationError: When the experiment cannot be built or run as described.
@@ -165,22 +171,24 @@ def validate(
     vertices = critical_force = beyond = None
     controls: tuple[Control, ...] = ()
     if not objections:
-        observe(f"holding {len(wrenches)} wrenches")
-        trial = experiment.adaptive(wrenches, np.full(len(wrenches), protocol.hold_factor))
-        vertices = experiment.perform(trial)
-        observe("controls")
+        count = len(wrenches)
+        work = Workload(observe, _expected(count, measure=measure, thorough=thorough))
+        holding = work.part("holding every wrench", count)
+        trial = experiment.adaptive(wrenches, np.full(count, protocol.hold_factor))
+        vertices = experiment.perform(trial, holding)
         controls = (
             *_simple_controls(experiment, wrenches, critical_wrench, phi),
-            friction_control(experiment, trial, reference_point, wrenches),
+            friction_control(experiment, trial, reference_point, wrenches, work.part("controls", count + FEW)),
             displacement_control(rigid_object, contacts, reference_point, wrenches, critical_wrench, protocol),
         )
         objections = unheld(vertices, protocol)
         doubts = tuple(doubt for control in controls if (doubt := control.doubt()))
         if measure:
-            critical_force = bisect_caps(experiment, wrenches, phi, observe)
+            part = work.part("bisecting the cap of every wrench", expected_simulations(count))
+            critical_force = bisect_caps(experiment, wrenches, phi, part)
         if thorough:
-            observe("loads beyond the vertices")
-            beyond = measure_beyond(experiment, wrenches, critical_wrench)
+            part = work.part("loads beyond the vertices", SIMULATIONS)
+            beyond = measure_beyond(experiment, wrenches, critical_wrench, observe=part)
             objections, doubts = objections + beyond.objections(), doubts + beyond.doubts()
     return Validation(
         verdict=judge(objections, doubts),
@@ -189,11 +197,12 @@ def validate(
         rho=float(rho),
         critical_wrench=int(critical_wrench),
         phi=phi,
+        strengths=contacts.strengths,
         planned_friction=contacts.friction,
         simulated_friction=friction,
         static=experiment.static,
         vertices=vertices,
-        forces=force_agreement(vertices, friction) if vertices else None,
+        forces=force_agreement(vertices, friction, contacts.strengths) if vertices else None,
         controls=controls,
         critical_force=critical_force,
         beyond=beyond,
@@ -204,6 +213,11 @@ def validate(
             "dm-control": version("dm-control"),
         },
     )
+
+
+def _expected(wrenches: int, *, measure: bool, thorough: bool) -> int:
+    """Simulations of a validation."""
+    return 2 * wrenches + FEW + (expected_simulations(wrenches) if measure else 0) + (SIMULATIONS if thorough else 0)
 
 
 def _simple_controls(

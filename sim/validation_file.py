@@ -166,6 +166,8 @@ class ValidationDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Predicted force cap [N]."""
     critical_wrench: int
     """Index of the wrench that decides rho."""
+    strengths: tuple[float, ...] = ()
+    """Of the fingers: the cap of each is its strength times the stated one. Empty: all 1, in files of old."""
     planned_friction: tuple[float, ...]
     simulated_friction: tuple[float, ...]
     static: StaticRecord
@@ -197,6 +199,7 @@ def to_document(validation: Validation, *, grasp: str | None = None) -> Validati
         reasons=validation.reasons,
         rho=validation.rho,
         critical_wrench=validation.critical_wrench,
+        strengths=tuple(validation.strengths.tolist()),
         planned_friction=tuple(validation.planned_friction.tolist()),
         simulated_friction=tuple(validation.simulated_friction.tolist()),
         static=StaticRecord(

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from planner.commands import convert, inspect, plan, verify
-from sim.commands import report, validate
+from sim.commands import render, report, validate, view
 
 ROOT = Path(__file__).resolve().parents[1]
 ASSETS = ROOT / "assets"
@@ -21,6 +21,8 @@ MAINS: dict[str, Callable[[], None]] = {
     "grasp-convert": convert.main,
     "grasp-inspect": inspect.main,
     "grasp-report": report.main,
+    "grasp-render": render.main,
+    "grasp-view": view.main,
 }
 
 

@@ -7,6 +7,7 @@ import pytest
 from planner.candidates.choice import make_candidates
 from planner.grasp import Grasp
 from planner.grasp_file import write_grasp
+from planner.limits.limits import Finger, Limits
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.plan import plan
@@ -24,6 +25,15 @@ def prism() -> RigidObject:
 def golden_grasp(prism: RigidObject) -> Grasp:
     """The paper's Case III: 217 candidates, three fingers, friction 0.3."""
     return plan(prism, make_task("paper", prism), make_candidates(prism, "case3", 0.3, seed=0), fingers=3)
+
+
+@pytest.fixture(scope="session")
+def limited_grasp(prism: RigidObject) -> Grasp:
+    """The same with a finger that is half as strong, and limits on distances that keep the best grasp."""
+    fingers = (Finger(), Finger(), Finger(strength=0.5))
+    limits = Limits(spacing=0.02, span=0.028, fingers=fingers)
+    candidates = make_candidates(prism, "case3", 0.3, seed=0)
+    return plan(prism, make_task("paper", prism), candidates, fingers=3, limits=limits)
 
 
 @pytest.fixture

@@ -55,4 +55,6 @@ def test_an_object_that_cannot_be_read_fails_the_run(tmp_path: Path) -> None:
     done = run_script(tmp_path)
     assert done.returncode == 5
     assert "| bad | no body of the file collides" in done.stdout
-    assert run_script(tmp_path / "nowhere").returncode == 1
+    done = run_script(tmp_path / "nowhere", "--quiet")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("error: there is no folder")

@@ -1,6 +1,6 @@
 """Candidate contacts, each tied to the part and facet of the object it lies on."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -8,6 +8,26 @@ from planner.contacts import Contacts
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
+
+
+@dataclass(frozen=True, kw_only=True)
+class CandidateChoice:
+    """What candidates were asked for, in the words of `grasp-plan`'s options."""
+
+    candidates: str
+    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points."""
+
+    friction: float | None = None
+    """Coulomb coefficient of all contacts; None for each geom's own."""
+
+    friction_error: float = 0.0
+    """By what share the coefficients may be smaller or larger; the contacts have the smallest."""
+
+    fingertip: float | None = None
+    """Radius of the ball that had to fit [m]; None for the usual share of the object's size."""
+
+    seed: int = 0
+    """Seed of evenly spread points."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -23,12 +43,35 @@ class Candidates:
     facet: np.ndarray
     """Facet of that part, shape (n,)."""
 
+    choice: CandidateChoice | None = None
+    """What was asked for; None for candidates made in another way."""
+
     def __len__(self) -> int:
         return len(self.part)
 
     def subset(self, indices: np.ndarray) -> "Candidates":
         """The candidates at `indices`, shape (m,), in that order."""
-        return Candidates(contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        return replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+
+    def least_friction(self, error: float) -> "Candidates":
+        """The candidates with the smallest coefficient of an uncertain friction, mu (1 - error).
+
+        A larger coefficient only widens the cones, so forces that hold here hold for every coefficient between
+        mu (1 - error) and mu (1 + error), and rho of the worst of them is rho here.
+
+        Args:
+            error: Share by which each coefficient may be off, 0 or more and below 1.
+
+        Raises:
+            CandidateError: If the error is out of range.
+        """
+        if not 0 <= error < 1:
+            raise CandidateError(
+                f"the friction error is {error}; it is a share, 0 or more and below 1, for example 0.1"
+            )
+        contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error))
+        choice = None if self.choice is None else replace(self.choice, friction_error=error)
+        return replace(self, contacts=contacts, choice=choice)
 
 
 def candidates_at(

@@ -1,8 +1,9 @@
 """From the user's word to candidates: a number, a grid, the paper's points, or a file of points."""
 
+from dataclasses import replace
 from pathlib import Path
 
-from planner.candidates.candidates import Candidates
+from planner.candidates.candidates import CandidateChoice, Candidates
 from planner.candidates.case3 import case3_points
 from planner.candidates.edges import edge_candidates, edge_grid
 from planner.candidates.even import even_candidates
@@ -11,6 +12,7 @@ from planner.candidates.listed import listed_candidates, read_points
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.planar_object import PlanarObject
+from planner.objects.rigid_object import RigidObject
 
 GRID = "grid:"
 CASE3 = "case3"
@@ -36,12 +38,18 @@ def make_candidates(
     """
     count = _integer(choice)
     _check_fingertip(rigid_object, fingertip, spread=count is not None or choice.startswith(GRID))
+    asked = CandidateChoice(candidates=choice, friction=friction, fingertip=fingertip, seed=seed)
     if isinstance(rigid_object, PlanarObject):
-        return _planar_candidates(rigid_object, choice, count, friction)
+        return replace(_planar_candidates(rigid_object, choice, count, friction), choice=asked)
+    return replace(_candidates_in_space(rigid_object, asked, count), choice=asked)
+
+
+def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, count: int | None) -> Candidates:
+    choice, friction = asked.candidates, asked.friction
     if count is not None:
-        return even_candidates(rigid_object, count, friction, seed, fingertip)
+        return even_candidates(rigid_object, count, friction, asked.seed, asked.fingertip)
     if choice.startswith(GRID):
-        return grid_candidates(rigid_object, _spacing(choice), friction, fingertip)
+        return grid_candidates(rigid_object, _spacing(choice), friction, asked.fingertip)
     points = case3_points() if choice == CASE3 else read_points(_existing(choice))
     return listed_candidates(rigid_object, points, friction)
 

@@ -1,16 +1,22 @@
 """`grasp-plan`: from an MJCF object to a grasp file with a proof."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import tyro
 
-from planner.commands.terminal import ExitCode, Interruption, parse, run
+from planner.commands.console import Console
+from planner.commands.terminal import ExitCode, Interruption, as_typed, parse, run, write_json
 
 if TYPE_CHECKING:
+    from planner.candidates.candidates import Candidates
     from planner.commands.plan_report import Report
+    from planner.commands.search_log import SearchLog
+    from planner.grasp import Grasp
+    from planner.limits.limits import Limits
+    from planner.objects.graspable import Graspable
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +35,9 @@ class Options:
 
     friction: float | None = None
     """Coulomb coefficient of every contact; by default each geom's own."""
+
+    friction_error: float = 0.0
+    """Share by which the coefficients may be smaller or larger, for example 0.2; rho then holds for all of them."""
 
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
@@ -56,6 +65,10 @@ class Options:
     """Radius in metres of the fingertip that must fit beside other parts' walls; by default 0.5 % of the object's
     size."""
 
+    limits: Path | None = None
+    """TOML file of what the hand allows: where fingers must not touch, the table, room to approach, least and greatest
+    distance of two contacts, where each finger may touch and how strong it is; see assets/limits."""
+
     decompose: bool = False
     """Cut meshes whose hollows MuJoCo would fill into convex parts, and plan on the file NAME.convex.xml that holds
     them, written beside the grasp file (needs the extra `decompose`)."""
@@ -63,65 +76,131 @@ class Options:
     gap: float = 1e-3
     """Relative gap between rho and its proven lower bound at which to stop."""
 
+    keep: int = 1
+    """How many grasps to write: the best to OUT, the next ones to OUT's name with .2, .3, ...; none in between is
+    missing."""
+
+    within: float | None = None
+    """Of those, only grasps whose rho exceeds the best by at most this share, for example 0.05."""
+
+    apart: float = 0.0
+    """Least distance in metres of some contact of each grasp to all contacts of every grasp before it."""
+
     time_limit: float = inf
     """Seconds after which to stop with the best grasp and the gap it has."""
 
     seed: int = 0
     """Seed of the even candidates and of the search's starts."""
 
+    json: bool = False
+    """Print one JSON document with the outcome to standard output; words then go to standard error."""
+
+    log_json: Path | None = None
+    """File for the search log as it happens, one JSON object per line; the last one has the status."""
+
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
-    """Print nothing but errors."""
+    """Print nothing but errors (and what --json asks for)."""
 
 
-def plan_command(options: Options) -> ExitCode:
-    """Plan, write the grasp file, and say what came out."""
+def plan_command(options: Options, console: Console, command: str | None = None) -> ExitCode:
+    """Plan, write the grasp file, which remembers the command line, and say what came out."""
+    console.show("loading MuJoCo and the solvers")
     from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
-    from planner.candidates.choice import make_candidates
-    from planner.candidates.confirmed import confirmed_candidates
     from planner.commands.plan_report import Report
-    from planner.grasp_file import SUFFIX, write_grasp
-    from planner.objects.given_mass import given_mass
-    from planner.objects.object_file import read_object_file
-    from planner.objects.rigid_object import RigidObject
-    from planner.objects.visual import visual_difference, warn_of_difference
-    from planner.plan import plan
-    from planner.search.certified import CertifiedSearch
+    from planner.commands.plan_summary import plan_summary
+    from planner.commands.search_log import SearchLog
+    from planner.grasp_file import SUFFIX, numbered, write_grasp
     from planner.search.result import Status
-    from planner.task import make_task
 
     out = options.out or Path(options.object.stem + SUFFIX)
     require_writable(out)
-    search = CertifiedSearch(gap=options.gap, time_limit=options.time_limit, seed=options.seed)
-    report = Report(quiet=options.quiet)
-    file = _decomposed(options, out.parent, report) if options.decompose else options.object
-    rigid_object = read_object_file(file, options.body, given_mass(options.mass, options.com))
-    task = make_task(options.task, rigid_object)
-    candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed, options.fingertip)
-    report.problem(rigid_object, task, candidates, options.fingers)
-    if isinstance(rigid_object, RigidObject):
-        confirmed = confirmed_candidates(rigid_object, candidates)
-        candidates = confirmed.candidates
-        report.dropped(confirmed)
-        warn_of_difference(rigid_object, visual_difference(rigid_object))
-    report.header()
-    grasp = plan(rigid_object, task, candidates, options.fingers, search, report.progress, Interruption())
-    write_grasp(out, grasp)
+    report = Report(console)
+    with SearchLog(console, options.log_json) as log:
+        grasps = _plan(options, out.parent, report, log, console)
+        files = [numbered(out, number) for number in range(1, len(grasps) + 1)]
+        for file, each in zip(files, grasps, strict=True):
+            write_grasp(file, replace(each, command=command))
+        grasp = grasps[0]
+        log.end(grasp.status)
     report.grasp(grasp, out)
+    report.others(grasps[1:], files[1:])
+    if options.json:
+        write_json(console, plan_summary(files))
     if grasp.status is Status.OPTIMAL:
         return ExitCode.DONE
     return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT
 
 
-def _decomposed(options: Options, folder: Path, report: "Report") -> Path:
+def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console) -> "tuple[Grasp, ...]":
+    """Read the object, choose the candidates and search."""
+    from planner.candidates.choice import make_candidates
+    from planner.candidates.confirmed import confirmed_candidates
+    from planner.objects.given_mass import given_mass
+    from planner.objects.object_file import read_object_file
+    from planner.objects.rigid_object import RigidObject
+    from planner.objects.visual import visual_difference, warn_of_difference
+    from planner.plan import plan_several
+    from planner.search.certified import CertifiedSearch
+    from planner.task import make_task
+
+    search = CertifiedSearch(
+        gap=options.gap,
+        time_limit=options.time_limit,
+        keep=options.keep,
+        within=options.within,
+        apart=options.apart,
+        seed=options.seed,
+    )
+    file = _decomposed(options, folder, report, console) if options.decompose else options.object
+    console.show(f"reading {file}")
+    rigid_object = read_object_file(file, options.body, given_mass(options.mass, options.com))
+    task = make_task(options.task, rigid_object)
+    console.show(f"choosing candidates: {options.candidates}")
+    candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed, options.fingertip)
+    candidates = candidates.least_friction(options.friction_error)
+    report.problem(rigid_object, task, candidates, options.fingers)
+    if isinstance(rigid_object, RigidObject):
+        console.show(f"confirming {len(candidates)} candidates with MuJoCo")
+        confirmed = confirmed_candidates(rigid_object, candidates)
+        candidates = confirmed.candidates
+        report.dropped(confirmed)
+        console.show("comparing what is seen with what collides")
+        warn_of_difference(rigid_object, visual_difference(rigid_object))
+    limits = None
+    if options.limits is not None:
+        limits, candidates = _within_limits(options.limits, rigid_object, candidates, options.fingers, report)
+    log.header()
+    stop = log.asked(Interruption())
+    return plan_several(rigid_object, task, candidates, options.fingers, search, log.observe, stop, limits)
+
+
+def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> Path:
     """The file to plan on in place of the object's own."""
     from planner.decompose import decompose
 
+    console.show("cutting meshes into convex parts")
     file, parts = decompose(options.object, options.body, folder)
     report.decomposed(file, parts)
     return file
 
 
+def _within_limits(
+    path: Path, rigid_object: "Graspable", candidates: "Candidates", fingers: int, report: "Report"
+) -> "tuple[Limits, Candidates]":
+    """The limits of a file and the candidates that they leave."""
+    from planner.limits.kinds import finger_kinds
+    from planner.limits.limits_file import read_limits
+    from planner.limits.restricted import restricted
+
+    limits = read_limits(path, rigid_object)
+    allowed = restricted(rigid_object, candidates, limits)
+    report.restricted(allowed)
+    report.kinds(finger_kinds(rigid_object, allowed.candidates, fingers, limits))
+    return limits, allowed.candidates
+
+
 def main() -> None:
     """Entry point of `grasp-plan`."""
     options = parse(Options, "grasp-plan")
-    run(lambda: plan_command(options))
+    console = Console(quiet=options.quiet, json=options.json)
+    run(lambda: plan_command(options, console, as_typed("grasp-plan")), console)

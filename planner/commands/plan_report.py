@@ -1,28 +1,28 @@
 """What `grasp-plan` says while it works and when it is done."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
+from planner.commands.console import Console
 from planner.grasp import Grasp
+from planner.limits.kinds import Kinds
+from planner.limits.restricted import Restricted, removals
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
-from planner.search.result import Progress, Status
+from planner.search.result import Status
 from planner.task import Task
-
-HEADER = (
-    f"{'Nodes':>10} {'Open':>8} {'LowerBound':>11} {'Incumbent':>11} {'Gap':>9} {'SOCPs':>8} {'Cuts':>6} {'Time':>8}"
-)
 
 
 class Report:
-    """Prints to standard output, unless quiet."""
+    """Says it in lines that stay."""
 
-    def __init__(self, *, quiet: bool) -> None:
-        self._quiet = quiet
+    def __init__(self, console: Console) -> None:
+        self._console = console
 
     def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
         """What is about to be searched."""
@@ -48,19 +48,21 @@ class Report:
                 f"{len(confirmed.candidates)} are left"
             )
 
-    def header(self) -> None:
-        """The head of the search log."""
-        self._say()
-        self._say(HEADER)
+    def restricted(self, allowed: Restricted) -> None:
+        """Candidates that the limits of the fingers forbid, if there are any."""
+        if any(allowed.removed.values()):
+            self._say(
+                f"limits      {sum(allowed.removed.values())} candidates are not for fingers: "
+                f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
+            )
 
-    def progress(self, line: Progress) -> None:
-        """One line of the search log."""
-        incumbent = f"{line.incumbent:11.5g}" if line.incumbent < float("inf") else f"{'-':>11}"
-        gap = f"{line.gap:9.2%}" if line.gap < float("inf") else f"{'-':>9}"
-        self._say(
-            f"{line.nodes:10d} {line.open:8d} {line.lower_bound:11.5g} {incumbent} {gap} "
-            f"{line.socp_solves:8d} {line.cuts:6d} {line.seconds:7.2f}s"
-        )
+    def kinds(self, kinds: Kinds) -> None:
+        """Fingers that differ, if they do."""
+        for kind, share in enumerate(kinds.kinds):
+            names = ", ".join(str(1 + finger) for finger in np.flatnonzero(kinds.of_finger == kind))
+            self._say(
+                f"{'' if kind else 'fingers':11s} {names}: strength {share.strength:g}, {share.candidates} candidates"
+            )
 
     def grasp(self, grasp: Grasp, out: Path) -> None:
         """The outcome and where it was written."""
@@ -73,15 +75,24 @@ class Report:
             self._contacts(grasp)
         self._say(f"wrote       {out} and {out.with_suffix('.npz').name}")
 
+    def others(self, grasps: Sequence[Grasp], files: Sequence[Path]) -> None:
+        """The grasps after the best."""
+        for number, (grasp, file) in enumerate(zip(grasps, files, strict=True), start=2):
+            self._say(f"grasp {number:<5d} rho {grasp.rho:.6g} N (gap {grasp.gap:.3%}), {file}")
+
     def _contacts(self, grasp: Grasp) -> None:
-        self._say(f"rho         {grasp.rho:.6g} N: every finger must be able to push this hard ({grasp.status})")
+        strengths = grasp.contacts.strengths
+        hard = "this hard" if (strengths == 1).all() else "its strength times this hard"
+        self._say(f"rho         {grasp.rho:.6g} N: every finger must be able to push {hard} ({grasp.status})")
         self._say(
             f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
             f"({grasp.search.subsets:,} subsets) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
-        for number, (point, geom) in enumerate(zip(grasp.contacts.points, grasp.geoms, strict=True), start=1):
+        contacts = zip(grasp.contacts.points, grasp.geoms, strengths, strict=True)
+        for number, (point, geom, strength) in enumerate(contacts, start=1):
             position = " ".join(f"{1000 * coordinate:9.3f}" for coordinate in point)
-            self._say(f"contact {number}   {position} mm on {geom}")
+            stronger = "" if strength == 1 else f", strength {strength:g}"
+            self._say(f"contact {number}   {position} mm on {geom}{stronger}")
 
     def _infeasible(self, grasp: Grasp) -> None:
         self._say(
@@ -95,8 +106,7 @@ class Report:
             self._say("direction   the moment about the line through the two contacts, whichever they are")
 
     def _say(self, text: str = "") -> None:
-        if not self._quiet:
-            print(text, flush=True)
+        self._console.say(text)
 
 
 def _friction(rigid_object: Graspable, candidates: Candidates) -> str:

@@ -2,14 +2,18 @@
 
 import inspect
 import logging
+import os
+import shlex
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from enum import IntEnum
 from typing import TypeVar
 
 import tyro
 
+from planner.commands.console import Console
 from planner.errors import RhograspError
 
 
@@ -30,6 +34,11 @@ class ExitCode(IntEnum):
     """The verdict is fail."""
 
 
+STANDARD_ERROR = 2
+"""As a file descriptor."""
+
+STOPPING = "stopping; press Ctrl-C again to leave without a result"
+
 INTERRUPTED = 128 + signal.SIGINT
 """What shells expect of a program that Ctrl-C has killed."""
 
@@ -47,6 +56,18 @@ def parse(options: type[Options], program: str) -> Options:
     return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
 
 
+def write_json(console: Console, document: object) -> None:
+    """The one document of `--json`, a line on standard output; null for numbers that are not finite."""
+    import msgspec
+
+    console.write(msgspec.json.encode(document).decode())
+
+
+def as_typed(program: str) -> str:
+    """This process's command line, as a shell takes it; without the folder that the program was started from."""
+    return shlex.join([program, *sys.argv[1:]])
+
+
 class Interruption:
     """Turns the first Ctrl-C into a request to stop, so that work in progress is kept; the second one kills."""
 
@@ -60,18 +81,59 @@ class Interruption:
 
     def _request(self, *_: object) -> None:
         self._requested = True
-        print("stopping; press Ctrl-C again to leave without a result", file=sys.stderr)
         signal.signal(signal.SIGINT, signal.default_int_handler)
+        below = "\n" if os.isatty(STANDARD_ERROR) else ""  # leaves the status line as it was
+        os.write(STANDARD_ERROR, f"{below}{STOPPING}\n".encode())  # print may be what this signal interrupts
 
 
-def run(command: Callable[[], ExitCode]) -> None:
-    """Run a command and leave with its exit code; an expected error becomes one clear line."""
-    logging.basicConfig(format="%(levelname)s: %(message)s", level=logging.WARNING)
-    try:
-        code = command()
-    except RhograspError as error:
-        print(f"error: {error}", file=sys.stderr)
-        code = ExitCode.ERROR
-    except KeyboardInterrupt:
-        sys.exit(INTERRUPTED)
+def run(command: Callable[[], ExitCode], console: Console | None = None) -> None:
+    """Run a command and leave with its exit code; an expected error becomes one clear line.
+
+    Args:
+        command: What to run.
+        console: Where the command speaks, if it does through one.
+    """
+    console = console or Console()
+    code: int
+    with _heard_logs(console):
+        try:
+            code = command()
+        except RhograspError as error:
+            console.complain(f"error: {error}")
+            code = ExitCode.ERROR
+        except KeyboardInterrupt:
+            code = INTERRUPTED
+        finally:
+            console.clear()
     sys.exit(code)
+
+
+@contextmanager
+def _heard_logs(console: Console) -> Iterator[None]:
+    """Warnings of the libraries become lines on standard error, the project's own infos are announced."""
+    handler, root = _OnScreen(console), logging.getLogger()
+    ours = [logging.getLogger(package) for package in ("planner", "sim")]
+    levels = [logger.level for logger in ours]
+    root.addHandler(handler)
+    for logger in ours:
+        logger.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        root.removeHandler(handler)
+        for logger, level in zip(ours, levels, strict=True):
+            logger.setLevel(level)
+
+
+class _OnScreen(logging.Handler):
+    """Shows what is logged."""
+
+    def __init__(self, console: Console) -> None:
+        super().__init__(logging.ERROR if console.quiet else logging.INFO)
+        self._console = console
+
+    def emit(self, record: logging.LogRecord) -> None:
+        if record.levelno < logging.WARNING:
+            self._console.announce(record.getMessage())
+        else:
+            self._console.complain(f"{record.levelname}: {record.getMessage()}")

@@ -2,10 +2,13 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from time import perf_counter
+from typing import Annotated
 
 import tyro
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.commands.console import Console
+from planner.commands.terminal import ExitCode, parse, run, write_json
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -15,19 +18,32 @@ class Options:
     file: tyro.conf.Positional[Path]
     """A *.grasp.json; its side file must be beside it."""
 
+    json: bool = False
+    """Print one JSON document with the outcome to standard output; words then go to standard error."""
 
-def verify_command(options: Options) -> ExitCode:
+    quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
+    """Print nothing but errors (and what --json asks for)."""
+
+
+def verify_command(options: Options, console: Console) -> ExitCode:
     """Check every claim and print how each came out."""
+    console.show("loading CVXPY")
     from planner.grasp_file import read_grasp  # here: the help must not wait for CVXPY
     from planner.verification import verify
 
-    checks = verify(read_grasp(options.file))
+    began = perf_counter()
+    checks = verify(read_grasp(options.file), console.count)
+    true = all(check.holds for check in checks)
     for check in checks:
-        print(f"{'ok  ' if check.holds else 'FAIL'}  {check.claim} ({check.detail})")
-    return ExitCode.DONE if all(check.holds for check in checks) else ExitCode.FAILED
+        console.say(f"{'ok  ' if check.holds else 'FAIL'}  {check.claim} ({check.detail})")
+    if options.json:
+        seconds = perf_counter() - began
+        write_json(console, {"true": true, "checks": checks, "grasp": str(options.file), "seconds": seconds})
+    return ExitCode.DONE if true else ExitCode.FAILED
 
 
 def main() -> None:
     """Entry point of `grasp-verify`."""
     options = parse(Options, "grasp-verify")
-    run(lambda: verify_command(options))
+    console = Console(quiet=options.quiet, json=options.json)
+    run(lambda: verify_command(options, console), console)

@@ -51,14 +51,19 @@ def write_fingertips(path: Path, rigid_object: Graspable, grasp: Grasp, wrench: 
     frames = zip(names, contacts.points, quaternions, strict=True)
     confidence = grasp.lower_bound / grasp.rho
     entries: dict[str, Value] = {name: _entry(confidence, point, turn, {}, {}) for name, point, turn in frames}
-    fingers = zip(names, contacts.friction.tolist(), grasp.forces[shown].tolist(), strict=True)
+    fingers = zip(
+        names, contacts.friction.tolist(), contacts.strengths.tolist(), grasp.forces[shown].tolist(), strict=True
+    )
     ours: dict[str, Value] = {
         "note": NOTE,
         "rho": grasp.rho,
         "lower_bound": grasp.lower_bound,
         "wrench": grasp.task.wrenches[shown].tolist(),
         "reference_point": grasp.task.reference_point.tolist(),
-        "fingers": {name: {"friction": friction, "force": force} for name, friction, force in fingers},
+        "fingers": {
+            name: {"friction": friction, **({} if strength == 1 else {"strength": strength}), "force": force}
+            for name, friction, strength, force in fingers
+        },
     }
     _write(path, grasp.body, FINGERTIP_FRAME, entries, ours)
 

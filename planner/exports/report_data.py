@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from planner.exports.shaded_surface import shaded_surface
 from planner.exports.sharp_edges import sharp_edges
 from planner.grasp import Grasp
 from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.search.result import Status
 
 TIP_RADIUS = 0.02
 """Radius of a drawn fingertip where no validation states it, relative to the object's size."""
@@ -24,11 +26,11 @@ def report_data(
 
     Args:
         rigid_object: The object, in space.
-        grasp: Its grasp, in space.
+        grasp: Its grasp, in space; or a search that has found none.
         file: Name of the grasp file.
         validation: The validation file's document as plain values, where there is one.
     """
-    task = grasp.task
+    task, candidates = grasp.task, grasp.certificate.candidates
     corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in rigid_object.parts])
     return {
         "file": file,
@@ -41,39 +43,56 @@ def report_data(
         },
         "size": rigid_object.size,
         "center": (0.5 * (corners.min(axis=0) + corners.max(axis=0))).tolist(),
-        "mesh": _packed(np.concatenate([_surface(part) for part in rigid_object.parts])),
+        "mesh": _packed(np.concatenate([shaded_surface(part) for part in rigid_object.parts])),
         "edges": _packed(np.concatenate([_edges(part) for part in rigid_object.parts])),
         "tip_radius": validation["static"]["tip_radius"] if validation else TIP_RADIUS * rigid_object.size,
         "contacts": _contacts(grasp),
+        "candidates": _packed(np.hstack([candidates.points, -candidates.normals])),
         "task": task.name,
         "reference_point": task.reference_point.tolist(),
         "wrenches": task.wrenches.tolist(),
         "phi": grasp.phi.tolist(),
         "forces": grasp.forces.tolist(),
-        "rho": grasp.rho,
+        "rho": _finite(grasp.rho),
         "lower_bound": grasp.lower_bound,
-        "gap": grasp.gap if isfinite(grasp.gap) else None,
-        "status": grasp.status.value.replace("_", " "),
+        "gap": _finite(grasp.gap),
+        "status": plain_status(grasp),
+        "proof": {"cuts": len(grasp.certificate.cuts), "hopeless_wrench": hopeless_wrench(grasp)},
         "search": asdict(grasp.search),
+        "candidate_choice": None if grasp.candidate_choice is None else asdict(grasp.candidate_choice),
+        "command": grasp.command,
         "packages": grasp.packages,
         "commands": {name: f"grasp-{name} {shlex.quote(file)}" for name in ("verify", "validate", "report")},
         "validation": validation,
     }
 
 
+def plain_status(grasp: Grasp) -> str:
+    """How the search ended, in words."""
+    return grasp.status.value.replace("_", " ")
+
+
+def hopeless_wrench(grasp: Grasp) -> int | None:
+    """The wrench that no candidates can balance, where a single cut proves that: the one that asks most along it.
+
+    Every candidate can do nothing along such a cut lambda, and wrench j asks for -lambda . w_j.
+    """
+    cuts = grasp.certificate.cuts
+    if grasp.status is not Status.INFEASIBLE or len(cuts) != 1:
+        return None
+    return int((-grasp.task.wrenches @ cuts[0]).argmax())
+
+
+def _finite(value: float) -> float | None:
+    return value if isfinite(value) else None
+
+
 def _contacts(grasp: Grasp) -> list[dict[str, Any]]:
     contacts = grasp.contacts
-    columns = (contacts.points.tolist(), contacts.normals.tolist(), contacts.friction.tolist(), grasp.geoms)
-    names = ("position", "normal", "friction", "geom")
+    arrays = (contacts.points, contacts.normals, contacts.friction, contacts.strengths)
+    columns = (*(array.tolist() for array in arrays), grasp.geoms)
+    names = ("position", "normal", "friction", "strength", "geom")
     return [dict(zip(names, values, strict=True)) for values in zip(*columns, strict=True)]
-
-
-def _surface(part: ConvexPart) -> np.ndarray:
-    """Corners of a part's triangles with their exact outward normals, shape (3 triangles, 6)."""
-    triangles, facets = part.triangles()
-    corners = triangles.reshape(-1, 3)
-    _, inward = part.project(corners, np.repeat(facets, 3))
-    return np.hstack([corners, -inward])
 
 
 def _edges(part: ConvexPart) -> np.ndarray:

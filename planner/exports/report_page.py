@@ -15,8 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from planner.atomic_write import write_atomically
-from planner.errors import GraspFileError
-from planner.exports.report_data import report_data
+from planner.exports.report_data import plain_status, report_data
 from planner.grasp import Grasp
 from planner.lift import in_space
 from planner.objects.graspable import Graspable
@@ -30,19 +29,15 @@ def report_page(rigid_object: Graspable, grasp: Grasp, file: str, validation: Ma
 
     Args:
         rigid_object: What is grasped; a planar object is shown as a slab.
-        grasp: The grasp.
+        grasp: The grasp; where none was found, the page shows the candidates and what is proven about them.
         file: Name of its file.
         validation: The document of its validation file as plain values, where there is one.
 
-    Raises:
-        GraspFileError: When there is no grasp to show.
     """
-    if not grasp.found:
-        raise GraspFileError(f"{file} holds no grasp (status {grasp.status}): there is nothing to show")
     data = json.dumps(report_data(*in_space(rigid_object, grasp), file, validation), allow_nan=False)
-    scripts = {name: _part(f"{name}.js") for name in ("scene", "panels")}
+    scripts = {name: _part(f"{name}.js") for name in ("scene", "elements", "search", "panels")}
     parts = scripts | {
-        "title": html.escape(f"{grasp.body}: grasp with {grasp.rho:.4g} N"),
+        "title": html.escape(f"{grasp.body}: {_outcome(grasp)}"),
         "style": _part("style.css"),
         "policy": _policy(list(scripts.values())),
         "data": "".join(UNSAFE.get(character, character) for character in data),
@@ -56,10 +51,13 @@ def write_report(
     """Write the page; see `report_page`.
 
     Raises:
-        GraspFileError: When there is no grasp to show.
         OutputError: When the file cannot be written.
     """
     write_atomically(path, report_page(rigid_object, grasp, file, validation).encode())
+
+
+def _outcome(grasp: Grasp) -> str:
+    return f"grasp with {grasp.rho:.4g} N" if grasp.found else f"no grasp ({plain_status(grasp)})"
 
 
 def _part(name: str) -> str:

@@ -1,6 +1,6 @@
 """Subproblem 2 in CVXPY, whatever its inequalities are written as: slow, and independent of the fast solver.
 
-    min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= phi
+    min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= s_i phi
 
 Everything is in the body frame. Moments are divided by the problem's length and the wrench by its size, so that the
 solver's tolerances are relative. Source: Watanabe and Yoshikawa, eq. (2), (3), (7).
@@ -33,6 +33,7 @@ class CvxpyForces(ABC):
         self._maps = [cp.Parameter((rows, dimension)) for _ in range(fingers)]
         self._tangents = [cp.Parameter(example.shape) for _ in range(fingers)]
         self._slopes = [cp.Parameter(dimension) for _ in range(fingers)]  # mu n
+        self._strengths = [cp.Parameter(nonneg=True) for _ in range(fingers)]
         self._wrench = cp.Parameter(rows)
         self._forces = [cp.Variable(dimension) for _ in range(fingers)]
         phi = cp.Variable()
@@ -40,8 +41,10 @@ class CvxpyForces(ABC):
         self._balance = total == -self._wrench
         inequalities = [
             inequality
-            for force, slope, tangents in zip(self._forces, self._slopes, self._tangents, strict=True)
-            for inequality in self.inequalities(phi, force, slope @ force, tangents @ force)
+            for force, slope, tangents, strength in zip(
+                self._forces, self._slopes, self._tangents, self._strengths, strict=True
+            )
+            for inequality in self.inequalities(strength * phi, force, slope @ force, tangents @ force)
         ]
         self._problem: Any = cp.Problem(cp.Minimize(phi), [self._balance, *inequalities])
         self._solver_error: type[Exception] = cp.SolverError
@@ -51,11 +54,11 @@ class CvxpyForces(ABC):
         """T with |T f| the tangential force at a contact of this normal, shape (k, d)."""
 
     @abstractmethod
-    def inequalities(self, phi: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
-        """CVXPY constraints that say |force| <= phi and |tangential| <= limit of one finger.
+    def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+        """CVXPY constraints that say |force| <= cap and |tangential| <= limit of one finger.
 
         Args:
-            phi: The largest force.
+            cap: s_i phi.
             force: f_i in the body frame, shape (d,).
             limit: mu_i n_i . f_i.
             tangential: T_i f_i, shape (k,).
@@ -81,6 +84,7 @@ class CvxpyForces(ABC):
             self._maps[finger].value = scale[:, None] * maps[finger]
             self._tangents[finger].value = self.tangent_map(normal)
             self._slopes[finger].value = contacts.friction[finger] * normal
+            self._strengths[finger].value = contacts.strengths[finger]
         feasible = self._optimise()
         forces = np.full(contacts.points.shape, np.nan)
         if feasible:
@@ -89,7 +93,7 @@ class CvxpyForces(ABC):
             problem=problem,
             feasible=feasible,
             forces=forces,
-            phi=float(np.linalg.norm(forces, axis=1).max()) if feasible else np.inf,
+            phi=float((np.linalg.norm(forces, axis=1) / contacts.strengths).max()) if feasible else np.inf,
             direction=-scale * np.asarray(self._balance.dual_value, dtype=float),
         )
 

@@ -1,5 +1,8 @@
 """The inner problem, Subproblem 2, solved by Clarabel: min phi over balanced forces in their cones, |f_i| <= phi.
 
+With the strength of each finger in its grasp map, G_i s_i, the variables are f_i / s_i, and fingers of all strengths
+are alike.
+
 Source: Watanabe and Yoshikawa, eq. (7).
 """
 
@@ -53,7 +56,7 @@ class MinimaxForces:
             SolverError: When Clarabel stops without an optimum or a certificate.
         """
         contacts = problem.contacts
-        frames = contact_frames(contacts.normals)
+        frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
         maps = grasp_maps(contacts.points, problem.reference_point) @ frames
         forces, phi, direction = self.solve_arrays(maps, contacts.friction, problem.wrench, problem.length)
         solution = ForceSolution(
@@ -73,14 +76,15 @@ class MinimaxForces:
         """The same on bare arrays, for callers that keep grasp maps of many contacts.
 
         Args:
-            maps: Grasp maps times contact frames, G_i R_i, shape (m, D, d).
+            maps: Grasp maps times contact frames and strengths, G_i R_i s_i, shape (m, D, d).
             friction: Shape (m,).
             wrench: Shape (D,) [N, N m].
             length: Length that makes moments comparable with forces [m].
 
         Returns:
-            Forces in contact frames, shape (m, d) [N]; phi [N]; direction lambda, shape (D,). Where Clarabel
-            finds no solution the forces are NaN and phi is infinite; the direction tells whether that is proven.
+            Forces over strengths in contact frames, shape (m, d) [N]; phi [N]; direction lambda, shape (D,). Where
+            Clarabel finds no solution the forces are NaN and phi is infinite; the direction tells whether that is
+            proven.
         """
         forces, direction, status = self._program.solve(maps, friction, wrench, length)
         phi = float(np.sqrt((forces * forces).sum(axis=1).max())) if status in SOLVED else np.inf

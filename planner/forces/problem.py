@@ -1,13 +1,14 @@
-"""The inner problem as data: the least largest fingertip force that balances one wrench.
+"""The inner problem as data: the least force level that balances one wrench.
 
-    phi(w) = min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= phi          (Subproblem 2)
+    phi(w) = min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= s_i phi          (Subproblem 2)
 
-Its dual is the maximum of -lambda . w over the directions lambda with sum_i h_i(lambda) <= 1, where
-h_i(lambda) is the support function of G_i (K_i ∩ B). So every direction lambda proves
+s_i is the strength of finger i, usually 1: then phi is the least largest fingertip force. The dual is the maximum of
+-lambda . w over the directions lambda with sum_i s_i h_i(lambda) <= 1, where h_i(lambda) is the support function of
+G_i (K_i ∩ B). So every direction lambda proves
 
-    phi(w) >= -lambda . w / sum_i h_i(lambda),
+    phi(w) >= -lambda . w / sum_i s_i h_i(lambda),
 
-and one with sum_i h_i(lambda) = 0 < -lambda . w proves that no force balances w at all.
+and one with sum_i s_i h_i(lambda) = 0 < -lambda . w proves that no force balances w at all.
 Source: Watanabe and Yoshikawa, eq. (7).
 """
 
@@ -21,7 +22,7 @@ from planner.friction_cone import components, support
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ForceProblem:
-    """Balance `wrench` with the contacts, the largest force as small as possible."""
+    """Balance `wrench` with the contacts, the largest force over its finger's strength as small as possible."""
 
     contacts: Contacts
     """The grasp, in the body frame."""
@@ -51,7 +52,7 @@ class ForceSolution:
     """Contact forces in the body frame, shape (contacts, d) [N]; NaN where infeasible."""
 
     phi: float
-    """Largest force norm [N]; infinite where infeasible."""
+    """The force level max_i |f_i| / s_i [N]; infinite where infeasible."""
 
     direction: np.ndarray
     """lambda, shape (D,): dual optimum, or infeasibility certificate; any positive scale."""
@@ -77,7 +78,7 @@ class ForceSolution:
         problem = self.problem
         maps = grasp_maps(problem.contacts.points, problem.reference_point)
         pulls = np.einsum("iDd,D->id", maps, self.direction)
-        capacity = support(pulls, problem.contacts.normals, problem.contacts.friction).sum()
+        capacity = support(pulls, problem.contacts.normals, problem.contacts.friction) @ problem.contacts.strengths
         load = -float(self.direction @ problem.wrench)
         return load / capacity if capacity > 0 else (np.inf if load > 0 else 0.0)
 

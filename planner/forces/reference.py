@@ -1,6 +1,6 @@
 """The inner problem as the textbook states it: a second-order cone program without contact frames.
 
-    |f_i - (n_i . f_i) n_i| <= mu_i n_i . f_i,   |f_i| <= phi
+    |f_i - (n_i . f_i) n_i| <= mu_i n_i . f_i,   |f_i| <= s_i phi
 
 Source: Watanabe and Yoshikawa, eq. (3) and (7).
 """
@@ -19,7 +19,7 @@ class ReferenceForces(CvxpyForces):
         """I - n n^T, shape (d, d)."""
         return np.eye(len(normal)) - np.outer(normal, normal)
 
-    def inequalities(self, phi: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+    def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
         import cvxpy as cp
 
-        return [cp.norm(tangential) <= limit, cp.norm(force) <= phi]
+        return [cp.norm(tangential) <= limit, cp.norm(force) <= cap]

@@ -27,7 +27,7 @@ from scipy import sparse
 from scipy.linalg import null_space
 
 from planner.contacts import Contacts, contact_frames, grasp_maps
-from planner.errors import SolverError
+from planner.errors import ContactError, SolverError
 from planner.forces.contact_program import INFEASIBLE, SOLVED
 
 RANGE_TOLERANCE = 1e-9
@@ -65,8 +65,14 @@ def squeeze_need(contacts: Contacts, reference_point: np.ndarray, wrenches: np.n
         wrenches: Vertices of W_R about p_o, shape (wrenches, D) [N, N m].
 
     Raises:
+        ContactError: When a finger's strength is not 1.
         SolverError: When Clarabel stops without an optimum or a certificate.
     """
+    if (contacts.strengths != 1).any():
+        raise ContactError(
+            f"the fingers have strengths {contacts.strengths.tolist()}; what a squeeze needs is defined for fingers of "
+            "strength 1: measure this grasp with fingers that adapt"
+        )
     fingers, d = contacts.points.shape
     frames = contact_frames(contacts.normals)
     length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0

@@ -43,7 +43,8 @@ class CertifiedSearch(SearchSettings):
     ) -> SearchResult:
         """One search for each grasp, without the subsets that are like the grasps before it; cuts are kept.
 
-        The bound, the status and the cuts of the result are those of the first search: they are about the best.
+        The bound, the status, the cuts and the log of the result are those of the first search: they are about the
+        best.
         """
         began, settings = time.perf_counter(), replace(self, keep=1, within=None)
         directions = np.empty((0, problem.wrenches.shape[1]))
@@ -59,8 +60,4 @@ class CertifiedSearch(SearchSettings):
             results.append(result)
             if result.status is not Status.OPTIMAL:
                 break
-        return replace(
-            results[0],
-            grasps=tuple(grasp for result in results for grasp in result.grasps),
-            trace=tuple(line for result in results for line in result.trace),
-        )
+        return replace(results[0], grasps=tuple(grasp for result in results for grasp in result.grasps))

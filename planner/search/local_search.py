@@ -21,9 +21,6 @@ STARTS = 1
 MOST_STEPS = 300
 """Corrections per climb."""
 
-DECISIVE = 16
-"""Cuts that every swap is checked against first."""
-
 NEIGHBOURS = 300
 """Candidates that a climb looks at around its contacts."""
 
@@ -70,18 +67,11 @@ def climb(cuts: CutTable, subset: np.ndarray, among: np.ndarray) -> np.ndarray:
 
 
 def best_swap(cuts: CutTable, subset: np.ndarray, slot: int, among: np.ndarray, least: float) -> tuple[int, float]:
-    """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1.
-
-    The cuts along which the others do least decide nearly always: they are looked at first.
-    """
+    """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1."""
     problem = cuts.problem
-    others = np.delete(subset, slot)
-    base = cuts.values[others].sum(axis=0)
-    decisive = np.argpartition(base, DECISIVE - 1)[:DECISIVE] if len(base) > DECISIVE else np.arange(len(base))
-    decisive = decisive[np.argsort(base[decisive])]
-    kind = problem.kind[subset[slot]]
-    allowed = among[problem.partners(others)[among] & (problem.kind[among] == kind)]
-    return best_partner(cuts.values, base, decisive, allowed, least)
+    others = np.concatenate([subset[:slot], subset[slot + 1 :]])
+    allowed = among[problem.partners(others)[among] & (problem.kind[among] == problem.kind[subset[slot]])]
+    return best_partner(cuts.values, others, allowed, least)
 
 
 def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:

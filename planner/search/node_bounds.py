@@ -12,6 +12,7 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+from scipy.cluster.hierarchy import leaves_list, ward
 
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
@@ -19,6 +20,15 @@ from planner.search.tree import CandidateTree
 
 FIRST_CUTS = 256
 """Columns of the table at the start; doubled when full."""
+
+SPREAD = 64
+"""Candidates by whose values cuts are compared."""
+
+GROWTH = 1.5
+"""Cuts are grouped again when their number has grown by this factor."""
+
+MOST_GROUPED = 5000
+"""Cuts up to which they are grouped: time and memory of the grouping grow with their square."""
 
 CORES = min(4, os.cpu_count() or 1)
 """Threads that share the rows of a batch; the kernel does not hold the interpreter's lock."""
@@ -36,6 +46,7 @@ class NodeBounds:
     def __init__(self, tree: CandidateTree, cuts: CutTable) -> None:
         self._tree, self._cuts = tree, cuts
         self._candidates = tree.order[tree.start]
+        self._spread = tree.order[:: -(-len(tree.order) // SPREAD)]
         self._maxima = np.full((len(tree.start), FIRST_CUTS), NO_BOUND, dtype=np.float32)
         self._block_minima = np.full((len(tree.start), FIRST_CUTS // BLOCK), NO_BOUND, dtype=np.float32)
         self._cut_of_column = np.empty(0, dtype=np.int64)
@@ -54,14 +65,13 @@ class NodeBounds:
         values = RAISED * self._cuts.values[:, known:]
         add_columns(self._tree.left, self._candidates, values, self._maxima, self._block_minima, known)
         self._cut_of_column = np.append(self._cut_of_column, np.arange(known, count))
-        if count >= 2 * self._grouped:
+        if GROWTH * self._grouped <= count <= MOST_GROUPED:
             self._group()
 
     def _group(self) -> None:
-        """Put cuts of the same vertex of W_R side by side: they are alike, so that whole blocks are skipped."""
-        vertex = self._cuts.loads[self._cut_of_column].argmax(axis=1)
-        columns = np.argsort(vertex, kind="stable")
-        count = len(columns)
+        """Put cuts side by side that say much the same of a few spread candidates: whole blocks are then skipped."""
+        count = len(self._cut_of_column)
+        columns = leaves_list(ward(self._cuts.values[self._spread][:, self._cut_of_column].T))
         self._cut_of_column, self._grouped = self._cut_of_column[columns], count
         self._maxima[:, :count] = self._maxima[:, columns]
         blocks = self._maxima.reshape(len(self._maxima), -1, BLOCK)
@@ -89,6 +99,21 @@ class NodeBounds:
         killers = np.unique(columns[lowered <= pruned_at])
         self.useful.update(self._cut_of_column[killers].tolist())
         return np.minimum(lowered, bounds)
+
+    def kills(self, rows: np.ndarray, threshold: float) -> np.ndarray:
+        """Which cuts prune which rows, shape (rows, cuts).
+
+        Args:
+            rows: Node numbers, shape (rows, m).
+            threshold: Bound at or below which a row is pruned [1/N].
+        """
+        count = len(self._cut_of_column)
+        sums = self._maxima[rows[:, 0], :count]
+        for nodes in rows[:, 1:].T:
+            sums += self._maxima[nodes, :count]
+        kills = np.empty(sums.shape, dtype=bool)
+        kills[:, self._cut_of_column] = sums <= np.float32(threshold)
+        return kills
 
 
 def _shares(count: int) -> list[slice]:

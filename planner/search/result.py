@@ -15,6 +15,9 @@ class Status(StrEnum):
     OPTIMAL = "optimal"
     """The gap is proven to be at most the one asked for."""
 
+    ALTERNATIVE = "alternative"
+    """One of several grasps asked for, not the best: its gap to the proven bound is true, and larger than asked."""
+
     INFEASIBLE = "infeasible"
     """Proven: no subset resists W_R with forces below the problem's force ceiling."""
 

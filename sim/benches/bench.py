@@ -68,11 +68,16 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
         settings: The test.
 
     Raises:
-        SettingError: When the squeeze is not a positive, finite force.
+        SettingError: When the squeeze is not a positive, finite force, or a finger's strength is not 1.
         SimulationError: When a fingertip is not where it was planned or MuJoCo cannot build or run the test.
     """
     if not (np.isfinite(squeeze) and squeeze > 0):
         raise SettingError(f"the squeeze is {squeeze} N; fingertips squeeze with a positive, finite force")
+    if (contacts.strengths != 1).any():
+        raise SettingError(
+            f"the fingers have strengths {contacts.strengths.tolist()}, but {settings.name} squeezes with one force; "
+            "validate this grasp with fingers that adapt (--mode active)"
+        )
     scene = build_world(rigid_object, contacts, settings)
     even = Contacts(
         points=contacts.points, normals=contacts.normals, friction=np.full(len(contacts), settings.friction)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from planner.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
@@ -12,12 +12,13 @@ from sim.benches.bench import BenchOutcome
 from sim.benches.bench_file import write_bench
 from sim.benches.dexgraspbench import dexgraspbench
 from sim.benches.graspdatagen import graspdatagen
-from sim.commands.validation_report import summary
+from sim.commands.validation_report import validation_lines, validation_summary
 from sim.protocol import ACTIVE, STRICT
 from sim.squeeze import measure_squeeze_force
 from sim.squeeze_file import write_squeeze
 from sim.validate import validate_grasp
 from sim.validation_file import write_validation
+from sim.workload import Observe
 
 if TYPE_CHECKING:
     from sim.commands.validate import Options
@@ -31,11 +32,14 @@ class Outcome:
     write: Callable[[Path], None]
     lines: list[str]
 
+    summary: dict[str, Any]
+    """The same in numbers, for scripts; forces in [N]."""
 
-Test = Callable[[RigidObject, Grasp, "Options", Callable[[str], None]], Outcome]
+
+Test = Callable[[RigidObject, Grasp, "Options", Observe], Outcome]
 
 
-def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Callable[[str], None]) -> Outcome:
+def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Observe) -> Outcome:
     """Forces that adapt to every wrench, capped around rho."""
     validation = validate_grasp(
         rigid_object,
@@ -48,14 +52,15 @@ def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe:
     return Outcome(
         passed=bool(validation.verdict),
         write=lambda out: write_validation(out, validation, grasp=options.file.name),
-        lines=summary(validation),
+        lines=validation_lines(validation),
+        summary=validation_summary(validation),
     )
 
 
-def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", _: Callable[[str], None]) -> Outcome:
+def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Observe) -> Outcome:
     """A constant squeeze that must hold every wrench, without adapting."""
     task = grasp.task
-    need = measure_squeeze_force(rigid_object, grasp.contacts, task.reference_point, task.wrenches)
+    need = measure_squeeze_force(rigid_object, grasp.contacts, task.reference_point, task.wrenches, observe=observe)
     return Outcome(
         passed=need.confirmed,
         write=lambda out: write_squeeze(out, need, rigid_object, rho=grasp.rho, grasp=options.file.name),
@@ -65,6 +70,12 @@ def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", _: Call
             f"            not rho: fingers that adapt need {grasp.rho:.6g} N",
             f"verdict     {'CONFIRMED' if need.confirmed else 'NOT CONFIRMED'} ({need.protocol.name})",
         ],
+        summary={
+            "squeeze_force": need.predicted.squeeze_force,
+            "measured_lower": need.lower,
+            "measured_upper": need.upper,
+            "rho": grasp.rho,
+        },
     )
 
 
@@ -73,7 +84,7 @@ def bench(
     rigid_object: RigidObject,
     grasp: Grasp,
     options: "Options",
-    _: Callable[[str], None],
+    _: Observe,
 ) -> Outcome:
     """Another project's tugs and thresholds."""
     outcome = run(rigid_object, grasp.contacts, grasp.rho if options.squeeze is None else options.squeeze)
@@ -86,6 +97,12 @@ def bench(
             f"verdict     {'PASS' if outcome.passed else 'FAIL'} ({outcome.settings.name})",
             *(f"because     {reason}" for reason in outcome.reasons),
         ],
+        summary={
+            "reasons": outcome.reasons,
+            "squeeze": outcome.squeeze,
+            "largest_translation": float(outcome.translations.max()),
+            "largest_rotation": float(outcome.rotations.max()),
+        },
     )
 
 

@@ -13,7 +13,8 @@ class Options:
     """Make one self-contained HTML page per grasp file: look at the grasp before you believe it.
 
     The object in 3-D with contacts, friction cones and the forces for every wrench of the task; rho with its proven
-    bound; and, where there is a validation file, what MuJoCo measured. The page needs no network.
+    bound, the search and how to repeat it; and, where there is a validation file, what MuJoCo measured. Where no grasp
+    was found, the candidates and what is proven about them. The page needs no network.
     """
 
     files: tyro.conf.Positional[tuple[Path, ...]]
@@ -39,26 +40,39 @@ def report_command(options: Options) -> ExitCode:
     if len(options.files) > 1 and (options.out or options.validation or options.object):
         raise OutputError(f"--out, --validation and --object are for a single file; {len(options.files)} are named")
     for file in options.files:
-        name = file.name.removesuffix(SUFFIX)
-        out = options.out or Path(f"{name}.report.html")
-        places = (file.with_name(f"{name}.validation.json"), Path(f"{name}.validation.json"))
-        validation = options.validation or next((place for place in places if place.is_file()), None)
-        _report(file, out, validation, options.object)
-        print(f"wrote       {out}" + (f" with {validation}" if validation else " (no validation found)"))
+        out = options.out or Path(f"{file.name.removesuffix(SUFFIX)}.report.html")
+        note = _report(file, out, options.validation, options.object)
+        print(f"wrote       {out}{note}")
     return ExitCode.DONE
 
 
-def _report(file: Path, out: Path, validation: Path | None, moved: Path | None) -> None:
+def _report(file: Path, out: Path, given: Path | None, moved: Path | None) -> str:
+    """Write one page; returns what to add to the message."""
     import msgspec
 
+    from planner.errors import GraspFileError
     from planner.exports.report_page import write_report
     from planner.grasp_file import read_grasp
     from planner.grasped_object import read_grasped_object
     from sim.validation_reader import read_validation_of
 
     grasp = read_grasp(file)
+    if given and not grasp.found:
+        raise GraspFileError(f"{file} holds no grasp (status {grasp.status}), so {given} is not about it")
+    validation = given or (_validation_of(file) if grasp.found else None)
     document = msgspec.to_builtins(read_validation_of(validation, grasp)) if validation else None
     write_report(out, read_grasped_object(grasp, moved), grasp, file.name, document)
+    if not grasp.found:
+        return f" (no grasp: {grasp.status})"
+    return f" with {validation}" if validation else " (no validation found)"
+
+
+def _validation_of(file: Path) -> Path | None:
+    """The validation file of a grasp file, beside it or in the current folder."""
+    from planner.grasp_file import SUFFIX
+
+    name = f"{file.name.removesuffix(SUFFIX)}.validation.json"
+    return next((place for place in (file.with_name(name), Path(name)) if place.is_file()), None)
 
 
 def main() -> None:

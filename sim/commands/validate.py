@@ -1,6 +1,5 @@
 """`grasp-validate`: is a grasp file true in MuJoCo?"""
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -8,7 +7,8 @@ from typing import Annotated, Literal
 
 import tyro
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.commands.console import Console
+from planner.commands.terminal import ExitCode, parse, run, write_json
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,12 +47,16 @@ class Options:
     thorough: bool = False
     """Measure, and load the grasp with random wrenches inside, on and outside W_R and with turning loads."""
 
+    json: bool = False
+    """Print one JSON document with the outcome to standard output; words then go to standard error."""
+
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
-    """Print nothing but errors."""
+    """Print nothing but errors (and what --json asks for)."""
 
 
-def validate_command(options: Options) -> ExitCode:
+def validate_command(options: Options, console: Console) -> ExitCode:
     """Validate, write the result, and say what came out."""
+    console.show("loading MuJoCo and dm_control")
     from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.errors import GraspFileError
     from planner.grasp_file import SUFFIX, read_grasp
@@ -67,36 +71,20 @@ def validate_command(options: Options) -> ExitCode:
     if not grasp.found:
         raise GraspFileError(f"{options.file} holds no grasp (status {grasp.status}): there is nothing to validate")
     rigid_object, grasp = in_space(read_grasped_object(grasp, options.object), grasp)
-    outcome = test(rigid_object, grasp, options, _ignore if options.quiet else Progress())
+    console.show("building the scene")
+    began = perf_counter()
+    outcome = test(rigid_object, grasp, options, console.count)
     outcome.write(out)
-    if not options.quiet:
-        print("\n".join(outcome.lines))
-        print(f"wrote       {out}")
+    console.say("\n".join([*outcome.lines, f"wrote       {out}"]))
+    if options.json:
+        known = {"mode": options.mode, "passed": outcome.passed}
+        files = {"grasp": str(options.file), "file": str(out), "seconds": perf_counter() - began}
+        write_json(console, known | outcome.summary | files)
     return ExitCode.DONE if outcome.passed else ExitCode.FAILED
-
-
-class Progress:
-    """Says on standard error what is going on, once it takes longer than a user likes to wait in silence."""
-
-    PATIENCE = 2.0
-    """Seconds of silence, and between two lines [s]."""
-
-    def __init__(self) -> None:
-        self._last = perf_counter()
-
-    def __call__(self, line: str) -> None:
-        """Say the line unless the last was said just now."""
-        now = perf_counter()
-        if now - self._last >= self.PATIENCE:
-            self._last = now
-            print(f"… {line}", file=sys.stderr, flush=True)
-
-
-def _ignore(_: str) -> None:
-    """Say nothing."""
 
 
 def main() -> None:
     """Entry point of `grasp-validate`."""
     options = parse(Options, "grasp-validate")
-    run(lambda: validate_command(options))
+    console = Console(quiet=options.quiet, json=options.json)
+    run(lambda: validate_command(options, console), console)

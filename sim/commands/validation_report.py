@@ -1,5 +1,7 @@
 """What `grasp-validate` says."""
 
+from typing import Any
+
 import numpy as np
 
 from sim.beyond import Beyond
@@ -12,7 +14,7 @@ TABLE_ROWS = 3
 """Wrenches shown at either end of the table of measured caps."""
 
 
-def summary(validation: Validation) -> list[str]:
+def validation_lines(validation: Validation) -> list[str]:
     """The verdict and its evidence, line by line."""
     lines = []
     protocol = validation.protocol
@@ -26,6 +28,25 @@ def summary(validation: Validation) -> list[str]:
         lines += _beyond(validation.beyond)
     lines.append(f"verdict     {validation.verdict.upper()} ({protocol.name})")
     return lines + [f"because     {reason}" for reason in validation.reasons]
+
+
+def validation_summary(validation: Validation) -> dict[str, Any]:
+    """The same in a few numbers, for scripts; null where nothing was measured. Forces in [N]."""
+    vertices, critical = validation.vertices, validation.critical_force
+    lower, upper = critical.rho if critical else (None, None)
+    return {
+        "verdict": validation.verdict,
+        "reasons": validation.reasons,
+        "rho": validation.rho,
+        "critical_wrench": validation.critical_wrench,
+        "wrenches": len(validation.phi),
+        "held": int(vertices.held.sum()) if vertices else None,
+        "largest_slip": float(vertices.slip.max()) if vertices else None,
+        "controls_behaved": all(control.behaved for control in validation.controls),
+        "measured_lower": lower,
+        "measured_upper": upper,
+        "measured_over_predicted": critical.ratio if critical else None,
+    }
 
 
 def _held(vertices: Measurement, factor: float, tolerance: float) -> str:

@@ -1,19 +1,29 @@
 """The certificate checker accepts what is proven and rejects what is not, however it looks."""
 
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
 import numpy as np
 import pytest
 
 from planner import certificate as module
 from planner.certificate import capacities, check_bound
 from planner.contacts import grasp_maps
+from planner.errors import CandidateError
+from planner.forces.minimax import MinimaxForces
 from planner.friction_cone import support
 from planner.grasp import Certificate
 from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
+from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem
+from tests.planner import limited
+from tests.planner.limited import allowed, least_level, limited_problem
 from tests.planner.search.instances import random_problem
 
 SEEDS = range(60)
+LIMITED = range(40)
 
 
 def certified(seed: int) -> tuple[SearchProblem, Certificate, float]:
@@ -70,3 +80,97 @@ def test_no_cuts_prove_nothing() -> None:
     problem, certificate, bound = certified(4)
     none = Certificate(candidates=certificate.candidates, cuts=certificate.cuts[:0])
     assert not holds(problem, none, bound)
+
+
+@pytest.mark.parametrize("most_enumerated", [module.MOST_ENUMERATED, 0])
+def test_every_subset_is_settled_once(most_enumerated: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MOST_ENUMERATED", most_enumerated)
+    for problem, (certificate, bound) in [
+        *((problem, (certificate, bound)) for problem, certificate, bound in map(certified, SEEDS)),
+        *((problem, limited.certified(problem)) for problem in map(limited_problem, LIMITED)),
+    ]:
+        if problem.fingers == 2 and problem.contacts.dimension == 3:
+            continue  # pairs in space are not counted: they take no time
+        settled: list[int] = []
+        check_bound(
+            certificate, problem.fingers, problem.reference_point, problem.wrenches, bound, observe=settled.append
+        )
+        assert settled == sorted(settled)
+        assert settled[-1] == problem.subsets == certificate.subsets(problem.fingers)
+
+
+@pytest.mark.parametrize("most_enumerated", [module.MOST_ENUMERATED, 0])
+def test_under_limits_a_proven_bound_is_accepted_and_a_larger_one_is_not(
+    most_enumerated: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The optimum is that of brute force with an independent solver; the counterexample itself keeps the limits."""
+    monkeypatch.setattr(module, "MOST_ENUMERATED", most_enumerated)
+    refuted = 0
+    for seed in LIMITED:
+        problem = limited_problem(seed)
+        certificate, bound = limited.certified(problem)
+        assert holds(problem, certificate, bound)
+        best = best_level(seed)
+        assert bound <= best * (1 + 1e-6)
+        if best < problem.force_ceiling:
+            check = check_bound(
+                certificate, problem.fingers, problem.reference_point, problem.wrenches, best * (1 + 1e-3)
+            )
+            assert not check.proven
+            assert allowed(problem, check.counterexample)
+            refuted += 1
+    assert refuted >= 15
+
+
+@cache
+def best_level(seed: int) -> float:
+    """rho* of a limited problem by brute force with CVXPY [N]."""
+    return least_level(limited_problem(seed))
+
+
+@pytest.mark.parametrize(
+    ("relaxed", "least"),
+    [({"spacing": 0.0}, 4), ({"span": np.inf}, 4), ({"kinds": ()}, 4), ({"strength": 1.5}, 4)],
+    ids=["spacing", "span", "kinds", "strength"],
+)
+def test_a_certificate_that_claims_looser_limits_fails_where_they_allow_a_better_grasp(
+    relaxed: dict[str, Any], least: int
+) -> None:
+    failed = 0
+    for problem in map(limited_problem, LIMITED):
+        if problem.fingers == 2 and problem.contacts.dimension == 3:
+            continue  # none of them is feasible
+        certificate, bound = limited.certified(problem)
+        looser = stronger(problem) if "strength" in relaxed else replace(problem, **relaxed)
+        if least_level(looser, MinimaxForces) < bound * (1 - 1e-3):
+            tampered = replace(certificate, kinds=looser.kinds, spacing=looser.least_distance, span=looser.span)
+            assert not holds(looser, tampered, bound)
+            failed += 1
+    assert failed >= least
+
+
+def stronger(problem: SearchProblem) -> SearchProblem:
+    """The same with the first kind of fingers half again as strong; all of them where there are no kinds."""
+    first, *others = problem.all_kinds
+    return replace(problem, kinds=(replace(first, strength=1.5 * first.strength), *others))
+
+
+def test_coinciding_candidates_are_told_apart() -> None:
+    """Groups that cannot be split by position: by count, down to single candidates."""
+    problem, certificate, bound = certified(4)
+    repeated = problem.contacts.subset(np.repeat(np.arange(len(problem.contacts)), 3))
+    many = Certificate(candidates=repeated, cuts=certificate.cuts)
+    check = check_bound(many, problem.fingers, problem.reference_point, problem.wrenches, 3 * bound)
+    assert not check.proven
+    assert len(set(check.counterexample)) == problem.fingers
+
+
+def test_kinds_that_do_not_add_up_are_refused() -> None:
+    problem, certificate, bound = certified(4)
+    count = len(problem.contacts)
+    with pytest.raises(CandidateError, match="kinds of fingers for 3 candidates, of which there are"):
+        replace(certificate, kinds=(FingerKind(fingers=1, candidates=3),))
+    with pytest.raises(CandidateError, match="do not add up"):
+        holds(problem, replace(certificate, kinds=(FingerKind(fingers=1, candidates=count),)), bound)
+    with pytest.raises(CandidateError, match="least distance"):
+        replace(certificate, spacing=2.0, span=1.0)

@@ -2,15 +2,18 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from planner.candidates.candidates import CandidateChoice
 from planner.errors import GraspFileError, OutputError
 from planner.grasp import Grasp
 from planner.grasp_file import certificate_path, read_grasp, write_grasp
+from planner.verification import verify
 
 
 def test_everything_survives_the_file(golden_grasp: Grasp, golden_file: Path) -> None:
@@ -26,6 +29,94 @@ def test_everything_survives_the_file(golden_grasp: Grasp, golden_file: Path) ->
         assert getattr(grasp, name) == getattr(golden_grasp, name), name
 
 
+def test_limits_survive_the_file(limited_grasp: Grasp, tmp_path: Path) -> None:
+    path = tmp_path / "limited.grasp.json"
+    write_grasp(path, limited_grasp)
+    grasp = read_grasp(path)
+    assert grasp.contacts.strengths.tolist() == [1.0, 1.0, 0.5]
+    for name in ("kinds", "spacing", "span"):
+        assert getattr(grasp.certificate, name) == getattr(limited_grasp.certificate, name), name
+    assert (grasp.certificate.spacing, grasp.certificate.span) == (0.02, 0.028)
+    np.testing.assert_array_equal(grasp.certificate.strengths, limited_grasp.certificate.strengths)
+    assert grasp.rho == limited_grasp.rho
+
+
+def test_a_file_without_limits_does_not_speak_of_them(golden_file: Path) -> None:
+    document = json.loads(golden_file.read_text())
+    assert set(document["contacts"][0]) == {"position", "normal", "friction", "geom", "candidate"}
+    assert set(document["certificate"]) == {"file", "sha256", "cuts"}
+
+
+def strengthen_finger(document: dict[str, Any]) -> None:
+    document["contacts"][2]["strength"] = 1.0
+
+
+def strengthen_kind(document: dict[str, Any]) -> None:
+    document["certificate"]["kinds"][1]["strength"] = 1.0
+
+
+def forget_kinds(document: dict[str, Any]) -> None:
+    del document["certificate"]["kinds"]
+
+
+def add_finger(document: dict[str, Any]) -> None:
+    document["certificate"]["kinds"][0]["fingers"] = 3
+
+
+def give_candidates(document: dict[str, Any]) -> None:
+    document["certificate"]["kinds"][0]["candidates"] += 1
+
+
+def cross_distances(document: dict[str, Any]) -> None:
+    document["certificate"]["spacing"] = 1.0
+
+
+@pytest.mark.parametrize(
+    ("edit", "message"),
+    [
+        (strengthen_finger, "strength does not agree"),
+        (strengthen_kind, "strength does not agree"),
+        (forget_kinds, "subsets are stated"),
+        (add_finger, "do not add up to 3 fingers"),
+        (give_candidates, "kinds of fingers for 435 candidates, of which there are 434"),
+        (cross_distances, "least distance between two contacts"),
+    ],
+)
+def test_edited_limits_are_refused(
+    limited_grasp: Grasp, tmp_path: Path, edit: Callable[[dict[str, Any]], None], message: str
+) -> None:
+    path = tmp_path / "limited.grasp.json"
+    write_grasp(path, limited_grasp)
+    document = json.loads(path.read_text())
+    edit(document)
+    path.write_text(json.dumps(document))
+    with pytest.raises(GraspFileError, match=message):
+        read_grasp(path)
+
+
+def test_how_it_was_made_survives_the_file(golden_grasp: Grasp, golden_file: Path) -> None:
+    assert read_grasp(golden_file).command is None  # made from Python
+    assert golden_grasp.candidate_choice == CandidateChoice(candidates="case3", friction=0.3, seed=0)
+    first = replace(golden_grasp.search.trace[0], incumbent=None)
+    search = replace(golden_grasp.search, trace=(first, *golden_grasp.search.trace))
+    made = replace(golden_grasp, search=search, command="grasp-plan 'a  [b   c] {\"seconds\":  1}.xml' --com 0 0 1")
+    write_grasp(golden_file, made)
+    grasp = read_grasp(golden_file)
+    assert (grasp.command, grasp.candidate_choice, grasp.search) == (made.command, made.candidate_choice, search)
+    lines = golden_file.read_text().splitlines()
+    assert sum(line.strip().startswith('{ "seconds"') for line in lines) == len(search.trace)  # a line is a line
+
+
+def test_a_file_from_before_these_were_kept_is_read(golden_grasp: Grasp, golden_file: Path) -> None:
+    document = json.loads(golden_file.read_text())
+    del document["search"]["trace"], document["planner"]["command"], document["candidate_choice"]
+    golden_file.write_text(json.dumps(document))
+    grasp = read_grasp(golden_file)
+    assert (grasp.search.trace, grasp.command, grasp.candidate_choice) == ((), None, None)
+    assert grasp.search == replace(golden_grasp.search, trace=())
+    assert all(check.holds for check in verify(grasp))
+
+
 def test_key_names_are_the_contract(golden_file: Path) -> None:
     document = json.loads(golden_file.read_text())
     assert {
@@ -38,7 +129,11 @@ def test_key_names_are_the_contract(golden_file: Path) -> None:
     assert {"method", "candidates", "subsets", "nodes", "socp_solves", "cuts", "seconds", "seed"} <= set(
         document["search"]
     )
-    assert {"version", "packages"} <= set(document["planner"])
+    assert {"seconds", "nodes", "open", "lower_bound", "incumbent", "socp_solves", "cuts"} == set(
+        document["search"]["trace"][0]
+    )
+    assert {"candidates", "friction", "fingertip", "seed"} == set(document["candidate_choice"])
+    assert {"version", "packages", "command"} <= set(document["planner"])
     assert document["format"] == "rhograsp.grasp"
     with np.load(golden_file.parent / document["certificate"]["file"]) as arrays:
         assert set(arrays) == {"positions", "normals", "friction", "cuts"}
@@ -86,10 +181,15 @@ def grow_fingers(document: dict[str, Any]) -> None:
     document["search"]["fingers"] = 1000
 
 
+def cut_off_the_log(document: dict[str, Any]) -> None:
+    del document["search"]["trace"][-1]
+
+
 @pytest.mark.parametrize(
     ("edit", "message"),
     [
         (grow_fingers, "1000 fingers"),
+        (cut_off_the_log, "search log ends with"),
         (halve_rho, "rho does not agree"),
         (scale_forces, "phi does not agree"),
         (move_contact, "position does not agree"),

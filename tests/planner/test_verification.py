@@ -47,6 +47,51 @@ def test_a_bound_that_is_not_proven_is_noticed(golden_grasp: Grasp) -> None:
     assert any("need less than" in claim for claim in failures(replace(golden_grasp, certificate=few)))
 
 
+def test_a_grasp_under_limits_is_true(limited_grasp: Grasp) -> None:
+    assert failures(limited_grasp) == []
+
+
+def test_a_finger_stronger_than_its_kind_is_noticed(limited_grasp: Grasp) -> None:
+    contacts = replace(limited_grasp.contacts, strength=np.array([1.0, 1.0, 0.6]))
+    claims = failures(replace(limited_grasp, contacts=contacts))
+    assert any("candidates that keep the limits" in claim for claim in claims)
+    assert any("independent solver" in claim for claim in claims)
+
+
+def test_a_finger_that_pushes_beyond_its_strength_is_noticed(limited_grasp: Grasp) -> None:
+    """Everything about the grasp is as planned but the strength, that of the candidates too."""
+    weak = replace(limited_grasp.contacts, strength=np.array([1.0, 1.0, 0.45]))
+    assert any("no finger pushes harder" in claim for claim in failures(replace(limited_grasp, contacts=weak)))
+
+
+@pytest.mark.parametrize(("spacing", "span"), [(0.021, 0.028), (0.02, 0.021)])
+def test_contacts_that_do_not_keep_their_distances_are_noticed(
+    limited_grasp: Grasp, spacing: float, span: float
+) -> None:
+    certificate = replace(limited_grasp.certificate, spacing=spacing, span=span)
+    claims = failures(replace(limited_grasp, certificate=certificate))
+    assert claims == ["the contacts are candidates that keep the limits"]
+
+
+def test_contacts_of_the_wrong_kinds_are_noticed(limited_grasp: Grasp) -> None:
+    """Finger 2 on the candidate of the same point that is for the weak kind."""
+    count = limited_grasp.certificate.kinds[0].candidates
+    candidates = limited_grasp.candidates + np.array([0, count, 0])
+    contacts = replace(limited_grasp.contacts, strength=np.array([1.0, 0.5, 0.5]))
+    claims = failures(replace(limited_grasp, candidates=candidates, contacts=contacts))
+    assert "the contacts are candidates that keep the limits" in claims
+
+
+@pytest.mark.parametrize("loosened", ["strength", "kinds"])
+def test_a_bound_that_looser_limits_would_break_is_noticed(limited_grasp: Grasp, loosened: str) -> None:
+    strong, weak = limited_grasp.certificate.kinds
+    if loosened == "strength":
+        certificate = replace(limited_grasp.certificate, kinds=(strong, replace(weak, strength=0.55)))
+    else:
+        certificate = replace(limited_grasp.certificate, kinds=())
+    assert any("need less than" in claim for claim in failures(replace(limited_grasp, certificate=certificate)))
+
+
 @pytest.mark.parametrize("status", [Status.INFEASIBLE, Status.OPTIMAL])
 def test_a_status_that_claims_too_much_is_noticed(golden_grasp: Grasp, status: Status) -> None:
     loose = replace(golden_grasp, status=status, lower_bound=0.9 * golden_grasp.lower_bound)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import run, says
+from tests.commands import PRISM, run, says
 from tests.planner.exports.browser import visit
 
 
@@ -21,7 +21,8 @@ def test_the_command_shows_the_measurement_beside_the_grasp(
     page = visit(Path("golden.report.html").resolve(), profile=tmp_path / "profile")
     assert page.console == ()
     assert says(page.dom, "64 of 64 wrenches held with the finger force capped at 1.02 rho")
-    assert page.dom.count("<circle") == 64 * 3
+    scatter = page.dom[page.dom.index('id="scatter"') :]
+    assert scatter[: scatter.index("</svg>")].count("<circle") == 64 * 3
     assert page.dom.count('<td class="ok">as predicted') == 4
 
 
@@ -42,3 +43,15 @@ def test_a_validation_of_another_grasp_is_refused(
         assert says(capsys.readouterr().err, f"^error: .*{message}")
     assert run("grasp-report", golden_file, golden_file, "--out", "x.html") == 1
     assert says(capsys.readouterr().err, "single file")
+
+
+def test_a_search_without_a_grasp_has_a_page_and_no_validation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run("grasp-plan", PRISM, "--fingers", 1, "--candidates", 20, "--out", "none.grasp.json", "-q") == 3
+    (tmp_path / "none.validation.json").write_text("left over from an earlier grasp")
+    assert run("grasp-report", "none.grasp.json") == 0
+    assert says(capsys.readouterr().out, r"wrote none\.report\.html \(no grasp: infeasible\)")
+    assert run("grasp-report", "none.grasp.json", "--validation", "none.validation.json") == 1
+    assert says(capsys.readouterr().err, "^error: none.grasp.json holds no grasp .*is not about it")

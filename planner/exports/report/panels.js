@@ -1,51 +1,66 @@
 "use strict";
-// The numbers beside the object. All text from files goes through textContent or setAttribute, never through HTML.
+// The numbers beside the object: the outcome, then one panel per question.
 
 const wrenches = data.phi.map((_, wrench) => wrench).sort((a, b) => data.phi[b] - data.phi[a] || a - b);
 const measured = data.validation;
-const number = (value, digits = 6) => (value === null || value === undefined ? "–" : Number(value).toPrecision(digits)
-  .replace(/(\.\d*?)0+(?=e|$)/, "$1").replace(/\.(?=e|$)/, ""));
-const percent = (value, digits = 1) => `${(100 * value).toFixed(digits)} %`;
-const svg = (name) => document.createElementNS("http://www.w3.org/2000/svg", name);
-
-/** An element with attributes and children; strings become text. */
-function el(name, attributes = {}, ...children) {
-  const element = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    key === "style" ? (element.style.cssText = value) : element.setAttribute(key, value);
-  }
-  element.append(...children);
-  return element;
-}
-
-const meter = (share, color) => el("span", { class: "meter" },
-  el("i", { style: `width:${Math.min(100, 100 * share)}%;background:${color}` }));
-const metered = (share, color, text) => el("td", {}, meter(share, color), el("span", { class: "value" }, text));
-const badge = (finger) => el("span", { class: "dot", style: `background:${colorOf(finger)}` }, String(finger + 1));
-const list = (entries) => el("dl", {}, ...Object.entries(entries).flatMap(([key, value]) =>
-  [el("dt", {}, key.replaceAll("_", " ")), el("dd", {}, String(value))]));
-const section = (title, ...children) => [el("h2", {}, title), ...children];
-const table = (heads, rows) => el("table", {}, el("tr", {}, ...heads.map((head) => el("th", {}, head))),
-  ...rows.map((cells) => el("tr", {}, ...cells.map((cell) => cell instanceof Node && cell.tagName === "TD"
-    ? cell : el("td", {}, cell)))));
+/** The choices that the search is about. */
+const choices = `${data.search.fingers} of the ${count(data.search.candidates)} candidates `
+  + `(${count(data.search.subsets)} subsets)`;
+const triple = (values) => `(${values.map((x) => number(x, 3)).join(", ")})`;
+const loadWords = (wrench) => `force ${triple(data.wrenches[wrench].slice(0, 3))} N · moment `
+  + `${triple(data.wrenches[wrench].slice(3))} N m`;
+const unequal = data.contacts.some((contact) => contact.strength !== 1); // then the fingers' strengths are shown
+const title = () => el("h1", {}, data.object.body, el("small", {}, `${data.file} · ${data.object.file}`));
 
 function headline() {
-  const { fingers, candidates, subsets } = data.search;
   const share = 100 * data.lower_bound / data.rho, scale = 0.92;
   return [
-    el("h1", {}, data.object.body, el("small", {}, `${data.file} · ${data.object.file}`)),
+    title(),
     el("p", { class: "rho" }, `${number(data.rho, 4)} N`),
-    el("p", { class: "muted" }, "the force that every finger must be able to push with"),
+    el("p", { class: "muted" }, "the force that every finger must be able to push with"
+      + (unequal ? ", times its strength" : "")),
     el("div", { class: "track", role: "img", "aria-label": "proven interval of the smallest possible force" },
       el("span", { class: "proven", style: `width:${scale * share}%` }),
       el("span", { class: "open", style: `left:${scale * share}%;width:${scale * (100 - share)}%` }),
       el("span", { class: "tick", style: `left:${100 * scale}%` })),
     el("div", { class: "ends" }, el("span", {}, "0"),
       el("span", {}, `proven ≥ ${number(data.lower_bound)} · rho = ${number(data.rho)} N`)),
-    el("p", {}, `No ${fingers} of the ${candidates} candidates (${subsets.toLocaleString("en")} subsets) need less than `
+    el("p", {}, `No ${choices} need less than `
       + `${number(data.lower_bound)} N: ${data.gap === null ? "nothing is proven yet"
         : `rho is within ${percent(data.gap, 3)} of the best`} (${data.status}).`),
   ];
+}
+
+const ENDS = {
+  "time limit": "The search was stopped at its time limit before it had found one.",
+  interrupted: "The search was stopped by its user before it had found one.",
+  unresolved: "Every choice was examined, but the solver is not accurate enough to say whether one of them holds.",
+};
+
+/** The outcome of a search without a grasp: proven impossible, or open. */
+function absence() {
+  const impossible = data.status === "infeasible", bound = `${number(data.lower_bound, 4)} N`;
+  const known = data.lower_bound > 0 ? `Proven so far: no ${choices} need less than ${bound}.`
+    : `Nothing is proven yet about the ${choices}.`;
+  return [title(), el("p", { class: "rho none" }, impossible ? "No grasp exists" : "No grasp was found"),
+    ...(impossible ? [el("p", { class: "muted" }, `with ${data.search.fingers} fingers on these candidates; proven`),
+      el("p", {}, `No ${choices} resist “${data.task}” with less than ${bound} per finger, which is 10,000 times `
+        + "its largest wrench."), ...proof()]
+      : [el("p", { class: "muted" }, `but one may exist (${data.status})`), el("p", {}, ENDS[data.status] ?? ""),
+        el("p", {}, known)])];
+}
+
+/** What proves that there is no grasp, in paragraphs. */
+function proof() {
+  const { cuts, hopeless_wrench: wrench } = data.proof;
+  if (wrench !== null) {
+    return [el("p", {}, `One direction proves it: no candidate can push the object along it, and wrench ${wrench} of `
+      + "the task asks for that. Purple in the picture is this load, which no number of fingers on these candidates can "
+      + "balance:"), el("p", { id: "load", class: "muted" }, loadWords(wrench))];
+  }
+  return [el("p", {}, cuts === 0
+    ? "The moment about the line through two contacts proves it, whichever they are: hard fingers cannot resist it."
+    : `The certificate beside the file proves it with ${count(cuts)} cuts; grasp-verify checks it without a solver.`)];
 }
 
 function wrenchPanel() {
@@ -84,7 +99,8 @@ function fingerRow(wrench, finger) {
   const contact = data.contacts[finger], force = data.forces[wrench][finger], color = colorOf(finger);
   const normal = dot(force, contact.normal), along = length(plus(force, contact.normal, -normal));
   const used = normal > 1e-9 * data.rho ? along / (contact.friction * normal) : 0;
-  const row = [badge(finger), metered(length(force) / data.rho, color, `${number(length(force), 4)} N`),
+  const cap = contact.strength * data.rho;
+  const row = [badge(finger), metered(length(force) / cap, color, `${number(length(force), 4)} N`),
     metered(used, color, percent(used, 0))];
   if (measured && measured.vertices.length) {
     const seen = measured.vertices[wrench].fingers[finger];
@@ -94,29 +110,31 @@ function fingerRow(wrench, finger) {
 }
 
 function show(position) {
-  const wrench = wrenches[position], load = data.wrenches[wrench].map((x) => number(x, 3));
+  const wrench = wrenches[position];
   document.body.dataset.wrench = wrench;
   scene.show(wrench);
   drawBars(position);
   const rank = position === 0 ? "critical: it decides rho" : `number ${position + 1} by force needed`;
   document.getElementById("chosen").replaceChildren(el("b", {}, `wrench ${wrench}`), el("span", {}, rank),
     el("span", {}, `φ = ${number(data.phi[wrench])} N`));
-  document.getElementById("load").textContent =
-    `force (${load.slice(0, 3).join(", ")}) N · moment (${load.slice(3).join(", ")}) N m`;
+  document.getElementById("load").textContent = loadWords(wrench);
   const heads = ["", "planned force", "friction used"];
   if (measured && measured.vertices.length) heads.push("commanded", "in MuJoCo");
   document.getElementById("fingers").replaceChildren(
     table(heads, data.contacts.map((_, finger) => fingerRow(wrench, finger))));
 }
 
-const contactPanel = () => section("Contacts", table(["", "x, y, z [mm]", "friction", "on"],
-  data.contacts.map((contact, i) => [badge(i), contact.position.map((x) => (1000 * x).toFixed(2)).join(", "),
-    number(contact.friction, 3), contact.geom])));
+function contactPanel() {
+  const heads = ["", "x, y, z [mm]", "friction", ...(unequal ? ["strength"] : []), "on"];
+  return section("Contacts", table(heads, data.contacts.map((contact, i) => [badge(i),
+    contact.position.map((x) => (1000 * x).toFixed(2)).join(", "), number(contact.friction, 3),
+    ...(unequal ? [number(contact.strength, 3)] : []), contact.geom])));
+}
 
 function validationPanel() {
   if (!measured) {
     return section("Measured in MuJoCo", el("p", {}, "Not yet. Beside this grasp no validation was found; make one with:"),
-      el("pre", {}, data.commands.validate));
+      shell(data.commands.validate));
   }
   const held = measured.vertices.filter((vertex) => vertex.held).length;
   const words = [`${held} of ${measured.vertices.length} wrenches held with the finger force capped at `
@@ -134,55 +152,49 @@ function validationPanel() {
 
 /** Commanded against measured force of every finger under every wrench. */
 function scatter() {
-  const [wide, high, left, low] = [428, 220, 44, 30];
-  const plot = svg("svg");
-  plot.id = "scatter";
-  plot.setAttribute("viewBox", `0 0 ${wide} ${high}`);
-  const draw = (name, attributes, text) => {
-    const shape = plot.appendChild(svg(name));
-    Object.entries(attributes).forEach(([key, value]) => shape.setAttribute(key, value));
-    if (text) shape.textContent = text;
-  };
   const forces = measured.vertices.flatMap((vertex) => vertex.fingers.map((finger, i) =>
     [finger.predicted_force, finger.measured_force, i]));
   const most = 1.05 * Math.max(data.rho, ...forces.flatMap(([a, b]) => [a, b]));
-  const x = (value) => left + (wide - left - 8) * value / most, y = (value) => high - low - (high - low - 8) * value / most;
-  draw("path", { d: `M${left} 8V${high - low}H${wide - 8}`, fill: "none", stroke: "#cbd5e1" });
-  draw("line", { x1: x(0), y1: y(0), x2: x(most), y2: y(most), stroke: "#94a3b8", "stroke-dasharray": "4 4" });
-  forces.forEach(([a, b, i]) => draw("circle", { cx: x(a), cy: y(b), r: 2.6, fill: colorOf(i), "fill-opacity": 0.6 }));
-  const words = { "font-size": 11, fill: "#64748b" };
-  draw("text", { x: wide - 8, y: high - 16, "text-anchor": "end", ...words }, `${number(most, 3)} N`);
-  draw("text", { x: (left + wide) / 2, y: high - 4, "text-anchor": "middle", ...words }, "commanded fingertip force");
-  draw("text", { x: 14, y: (high - low) / 2, "text-anchor": "middle", ...words,
-    transform: `rotate(-90 14 ${(high - low) / 2})` }, "measured in MuJoCo");
-  return plot;
-}
-
-const searchPanel = () => section("How it was found", list({ ...data.search,
-  subsets: data.search.subsets.toLocaleString("en"), seconds: number(data.search.seconds, 3) }));
-
-function reproducePanel() {
-  const versions = Object.entries(data.packages).map(([name, version]) => `${name} ${version}`).join(" · ");
-  return section("Check it yourself",
-    el("p", { class: "muted" }, "Every claim about the forces and the bound, with none of the code that found them:"),
-    el("pre", {}, data.commands.verify),
-    el("p", { class: "muted" }, "The measurement in MuJoCo:"), el("pre", {}, data.commands.validate),
-    el("p", { class: "muted" }, "This page:"), el("pre", {}, data.commands.report),
-    el("p", { class: "muted" }, versions), el("p", { class: "muted" }, `object sha256 ${data.object.sha256}`));
+  const plot = new Plot("scatter", [most, most], ["commanded fingertip force [N]", "measured in MuJoCo [N]"]);
+  const { x, y } = plot;
+  plot.draw("line", { x1: x(0), y1: y(0), x2: x(most), y2: y(most), stroke: "#94a3b8", "stroke-dasharray": "4 4" });
+  for (const [a, b, i] of forces) {
+    plot.draw("circle", { cx: x(a), cy: y(b), r: 2.6, fill: colorOf(i), "fill-opacity": 0.6 });
+  }
+  return plot.element;
 }
 
 function legend() {
-  const box = document.getElementById("legend");
+  const box = document.getElementById("legend"), purple = el("b", { style: `color:${LOAD}` }, "Purple");
   box.append(el("b", {}, `${data.object.extent.map((x) => number(1000 * x, 3)).join(" × ")} mm, `
-    + `${number(data.object.mass, 3)} kg. `), "Arrows are the fingers' forces; a full one is rho. The cone around each "
-    + "holds all forces that do not slip. ", el("b", { style: `color:${LOAD}` }, "Purple"), " is the load they balance.");
+    + `${number(data.object.mass, 3)} kg. `));
+  if (found) {
+    box.append("Arrows are the fingers' forces; a full one is rho. The cone around each holds all forces that do not "
+      + "slip. ", purple, " is the load they balance.");
+  } else {
+    box.append(`Dots are the ${count(data.search.candidates)} places where a finger might go. `);
+    if (data.proof.hopeless_wrench !== null) box.append(purple, " is a load that none of them can balance.");
+  }
   if (!scene.gl) box.append(" This browser offers no WebGL, so the object cannot be shown; the numbers stand.");
 }
 
-document.getElementById("panels").append(...headline(), ...wrenchPanel(), ...section("Fingers under this wrench",
-  el("div", { id: "fingers" })), ...contactPanel(), ...validationPanel(), ...searchPanel(), ...reproducePanel());
+/** Shows or hides the candidates; without a grasp they are what there is to see. */
+function candidateToggle() {
+  const box = document.querySelector("#toggle input");
+  box.checked = !found;
+  const follow = () => { scene.dotted = box.checked; scene.draw(); };
+  box.addEventListener("change", follow);
+  follow();
+}
+
+document.getElementById("panels").append(...(found ? [...headline(), ...wrenchPanel(),
+  ...section("Fingers under this wrench", el("div", { id: "fingers" })), ...contactPanel(), ...validationPanel()]
+  : absence()), ...searchPanel(), ...reproducePanel(), ...checkPanel());
 const scene = new Scene(document.getElementById("scene"));
 legend();
-show(0);
-new ResizeObserver(() => drawBars(Number(document.getElementById("slider").value)))
-  .observe(document.getElementById("bars"));
+candidateToggle();
+if (found) {
+  show(0);
+  new ResizeObserver(() => drawBars(Number(document.getElementById("slider").value)))
+    .observe(document.getElementById("bars"));
+} else if (data.proof.hopeless_wrench !== null) scene.show(data.proof.hopeless_wrench);

@@ -4,9 +4,11 @@
 // mirrored to the outside, so that an arrow on the cone's mantle is a finger about to slide.
 
 const data = JSON.parse(document.getElementById("data").textContent);
+const found = data.contacts.length > 0;
 const COLORS = ["#d55e00", "#0072b2", "#009e73", "#c2408e", "#b8860b", "#3a9bd9", "#8c564b", "#5b5bd6"];
 const LOAD = "#6d28d9";
 const ARROW = 0.34; // length of an arrow of rho, and of the largest load, relative to the object's size
+const DOT = 5; // diameter of a candidate, in pixels of the page
 const CONE = 0.2; // height of a friction cone, relative to the object's size
 
 const colorOf = (finger) => COLORS[finger % COLORS.length];
@@ -81,11 +83,17 @@ function turn(center, axis, size, radius) {
 }
 
 const VERTEX = `
-  attribute vec3 position, normal; uniform mat4 view, lens; varying vec3 n;
-  void main() { n = mat3(view) * normal; gl_Position = lens * view * vec4(position, 1.0); }`;
-const FRAGMENT = `
-  precision mediump float; uniform vec4 color; uniform float lit; varying vec3 n;
+  attribute vec3 position, normal; uniform mat4 view, lens; uniform float raised; uniform mediump float spot;
+  varying vec3 n;
   void main() {
+    n = mat3(view) * normal;
+    gl_Position = lens * view * vec4(position + raised * normal, 1.0);
+    gl_PointSize = spot;
+  }`;
+const FRAGMENT = `
+  precision mediump float; uniform vec4 color; uniform float lit, spot; varying vec3 n;
+  void main() {
+    if (spot > 0.0 && length(gl_PointCoord - 0.5) > 0.5) discard; // points are round
     vec3 m = normalize(n);
     if (m.z < 0.0) m = -m; // every wall shows its lit side
     float key = max(dot(m, normalize(vec3(-0.4, 0.7, 0.8))), 0.0), fill = max(dot(m, vec3(0.8, -0.2, 0.5)), 0.0);
@@ -98,11 +106,13 @@ class Scene {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl", { antialias: true, premultipliedAlpha: true });
     this.moving = [];
+    this.dotted = false; // whether the candidates are drawn
     this.reset();
     if (!this.gl) return;
     this.program();
     this.body = this.solid(floats(data.mesh), rgba("#bccadb", 0.62));
     this.edges = this.solid(floats(data.edges), rgba("#5a6b80"), false);
+    this.candidates = { ...this.solid(floats(data.candidates), rgba("#334155"), false), dot: true };
     const tip = data.tip_radius;
     this.tips = data.contacts.map((c) => this.solid(sphere(plus(c.position, c.normal, -tip), tip), rgba("#475569")));
     this.cones = data.contacts.map((c, i) => {
@@ -126,7 +136,8 @@ class Scene {
     gl.bindAttribLocation(program, 1, "normal");
     gl.linkProgram(program);
     gl.useProgram(program);
-    this.at = Object.fromEntries(["view", "lens", "color", "lit"].map((u) => [u, gl.getUniformLocation(program, u)]));
+    const uniforms = ["view", "lens", "color", "lit", "raised", "spot"];
+    this.at = Object.fromEntries(uniforms.map((u) => [u, gl.getUniformLocation(program, u)]));
     gl.enableVertexAttribArray(0);
     gl.enableVertexAttribArray(1);
     gl.enable(gl.DEPTH_TEST);
@@ -146,14 +157,14 @@ class Scene {
     [this.yaw, this.pitch, this.zoom] = [-0.9, 0.5, 1];
   }
 
-  /** Show the forces that balance one wrench, and the wrench itself at the reference point. */
+  /** Show the forces that balance one wrench, where there are any, and the wrench itself at the reference point. */
   show(wrench) {
     if (!this.gl) return;
     this.moving.forEach((shape) => this.gl.deleteBuffer(shape.buffer));
     const long = ARROW * data.size, thin = 0.0075 * data.size, load = data.wrenches[wrench];
     const [force, moment] = [load.slice(0, 3), load.slice(3)];
     const most = (part) => Math.max(...data.wrenches.map((w) => length(w.slice(...part))));
-    const shapes = data.forces[wrench].map((f, i) => [f, data.contacts[i].position, colorOf(i)])
+    const shapes = (found ? data.forces[wrench] : []).map((f, i) => [f, data.contacts[i].position, colorOf(i)])
       .filter(([f]) => length(f) > 1e-6 * data.rho)
       .map(([f, point, color]) => [arrow(point, scaled(f, long / data.rho), thin), color]);
     if (length(force) > 0) {
@@ -195,6 +206,7 @@ class Scene {
     gl.uniformMatrix4fv(this.at.lens, false, lens);
     [...this.tips, ...this.moving].forEach((shape) => this.paint(shape));
     this.paint(this.edges, gl.LINES);
+    if (this.dotted) this.paint(this.candidates, gl.POINTS);
     this.glass(this.cones); // once behind the object's veil, once before it
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 2);
@@ -206,6 +218,7 @@ class Scene {
     gl.disable(gl.BLEND);
     gl.disable(gl.POLYGON_OFFSET_FILL);
     this.paint(this.edges, gl.LINES);
+    if (this.dotted) this.paint(this.candidates, gl.POINTS);
     this.glass(this.cones);
     this.label(view, lens, width, height);
   }
@@ -226,6 +239,8 @@ class Scene {
     gl.vertexAttribPointer(1, 3, gl.FLOAT, false, 24, 12);
     gl.uniform4fv(this.at.color, shape.color);
     gl.uniform1f(this.at.lit, shape.lit ? 1 : 0);
+    gl.uniform1f(this.at.raised, shape.dot ? 0.004 * data.size : 0); // out of the wall it lies in
+    gl.uniform1f(this.at.spot, shape.dot ? DOT * (window.devicePixelRatio || 1) : 0);
     gl.drawArrays(mode, 0, shape.count);
   }
 

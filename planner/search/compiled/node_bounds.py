@@ -9,7 +9,7 @@ from numba import njit
 
 from planner.search.compiled.compile import compiled
 
-BLOCK = 16
+BLOCK = 8
 """Cuts per block: one row of the table is read in runs of this many."""
 
 
@@ -72,8 +72,7 @@ def bound_rows(
 ) -> None:
     """Lower the bounds of rows until a cut prunes them or no cut can.
 
-    The block whose minima have the smallest sum is the most promising and is read first; of the others only those
-    are read whose minima sum to the threshold or less: no cut of the rest can prune.
+    Only blocks whose minima sum to the threshold or less are read: no cut of the others can prune.
 
     Args:
         maxima: U, shape (nodes, at least blocks * BLOCK) [1/N].
@@ -85,19 +84,12 @@ def bound_rows(
         cuts: Number of the cut that gave each bound, or unchanged, set in place, shape (rows,).
     """
     sums = np.empty(BLOCK, np.float32)
-    promise = np.empty(blocks * BLOCK, np.float32)
+    promise = np.empty(blocks, np.float32)
     for row in range(len(rows)):
         nodes = rows[row]
         _add_up(block_minima, nodes, 0, blocks, promise)
-        most = promise[0]
         for block in range(blocks):
-            most = min(most, promise[block])
-        best = 0
-        while promise[best] != most:
-            best += 1
-        for turn in range(-1, blocks):
-            block = best if turn < 0 else turn
-            if turn >= 0 and (promise[block] > threshold or block == best):
+            if promise[block] > threshold:
                 continue
             first = block * BLOCK
             _add_up(maxima, nodes, first, BLOCK, sums)

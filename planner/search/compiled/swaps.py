@@ -4,33 +4,44 @@ import numpy as np
 
 from planner.search.compiled.compile import compiled
 
+DECISIVE = 16
+"""Cuts looked at first: those along which the chosen candidates do least decide nearly always."""
 
-@compiled("Tuple((i8, f8))(f8[:, :], f8[::1], i8[::1], i8[::1], f8)")
-def best_partner(
-    values: np.ndarray, base: np.ndarray, decisive: np.ndarray, among: np.ndarray, least: float
-) -> tuple[int, float]:
-    """The candidate i with the largest min_k (base_k + a_ik), if that exceeds `least`; else -1.
+
+@compiled("Tuple((i8, f8))(f8[:, :], i8[::1], i8[::1], f8)")
+def best_partner(values: np.ndarray, chosen: np.ndarray, among: np.ndarray, least: float) -> tuple[int, float]:
+    """The candidate i with the largest min_k (a_ik + sum over the chosen of a_jk), if that exceeds `least`; else -1.
 
     Args:
-        values: a_i(lambda_k), shape (n, at least cuts) [1/N].
-        base: What the others do along each cut, shape (cuts,) [1/N].
-        decisive: Cuts looked at first, because they decide nearly always.
-        among: Candidates that may be chosen.
-        least: What the candidate must exceed [1/N].
+        values: a_i(lambda_k), shape (n, cuts) [1/N].
+        chosen: The candidates it joins.
+        among: Candidates that may be taken.
+        least: What the smallest sum must exceed [1/N].
     """
-    chosen, best = -1, least
+    cuts = values.shape[1]
+    base, first = np.zeros(cuts), np.empty(min(DECISIVE, cuts), np.int64)
+    for j in chosen:
+        for cut in range(cuts):
+            base[cut] += values[j, cut]
+    for place in range(len(first)):  # the smallest of every sixteenth cut
+        smallest = place
+        for cut in range(place, cuts, len(first)):
+            if base[cut] < base[smallest]:
+                smallest = cut
+        first[place] = smallest
+    best, score = -1, least
     for i in among:
-        score = np.inf
-        for cut in decisive:
-            score = min(score, base[cut] + values[i, cut])
-            if score <= best:
+        worst = np.inf
+        for cut in first:
+            worst = min(worst, base[cut] + values[i, cut])
+            if worst <= score:
                 break
-        if score <= best:
+        if worst <= score:
             continue
-        for cut in range(len(base)):
-            score = min(score, base[cut] + values[i, cut])
-            if score <= best:
+        for cut in range(cuts):
+            worst = min(worst, base[cut] + values[i, cut])
+            if worst <= score:
                 break
-        if score > best:
-            chosen, best = i, score
-    return chosen, best
+        if worst > score:
+            best, score = i, worst
+    return best, score

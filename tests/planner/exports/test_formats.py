@@ -14,6 +14,7 @@ from planner.exports.formats import FORMATS
 from planner.exports.restricted_pickle import read_pickled_dictionary
 from planner.exports.yaml_text import yaml_text
 from planner.grasp import Grasp
+from planner.grasp_file import write_grasp
 from tests.commands import run, says
 from tests.planner.exports.tiny_yaml import read_yaml
 
@@ -54,6 +55,14 @@ def test_isaac_sim_finds_every_contact_frame_where_the_object_carries_it(
     forces = np.array([finger["force"] for finger in ours["fingers"].values()])
     np.testing.assert_allclose(forces.sum(axis=0), -np.array(ours["wrench"][:3]), atol=1e-6)
     assert "not alternatives" in ours["note"]
+
+
+def test_isaac_files_tell_the_strength_of_a_finger_that_is_not_1(limited_grasp: Grasp, tmp_path: Path) -> None:
+    path, out = tmp_path / "limited.grasp.json", tmp_path / "limited.isaac.yaml"
+    write_grasp(path, limited_grasp)
+    assert run("grasp-convert", path, "--out", out) == 0
+    fingers = read_yaml(out.read_text())["rhograsp"]["fingers"]
+    assert [finger.get("strength") for finger in fingers.values()] == [None, None, 0.5]
 
 
 STRANGE: Any = {'na"me: \\ #\n\u2028é': {"small": 1e-05, "list": [1e-300, -2.5e22, 3], "no": "1e5", "empty": {}}}

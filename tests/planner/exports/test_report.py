@@ -5,16 +5,24 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from planner.errors import GraspFileError
+from planner.candidates.candidates import CandidateChoice
+from planner.candidates.choice import make_candidates
+from planner.candidates.listed import listed_candidates
+from planner.exports.report_data import hopeless_wrench
 from planner.exports.report_page import report_page, write_report
-from planner.grasp import Grasp
+from planner.grasp import Grasp, TraceLine
+from planner.objects.object_file import read_object_file
 from planner.objects.rigid_object import RigidObject
+from planner.plan import plan
+from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
-from tests.commands import says
+from planner.task import make_task
+from tests.commands import ASSETS, says
 from tests.planner.exports.browser import visit, with_script
 
 EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(2)>{{scene}}&amp;\u2028'\""
@@ -41,30 +49,22 @@ class Scripts(HTMLParser):
 def test_names_from_files_stay_text(prism: RigidObject, golden_grasp: Grasp) -> None:
     plain = Scripts(report_page(prism, golden_grasp, "prism.grasp.json"))
     task = replace(golden_grasp.task, name=EVIL)
-    evil = replace(golden_grasp, body=EVIL, geoms=(EVIL,) * 3, task=task, packages={EVIL: EVIL})
+    choice = CandidateChoice(candidates=EVIL)
+    evil = replace(golden_grasp, body=EVIL, geoms=(EVIL,) * 3, task=task, packages={EVIL: EVIL}, command=EVIL)
+    evil = replace(evil, candidate_choice=choice)
     page = Scripts(report_page(prism, evil, EVIL))
     assert page.tags == plain.tags
     assert page.scripts[1:] == plain.scripts[1:]
     data = json.loads(page.scripts[0])
     assert data["object"]["body"] == data["task"] == data["file"] == data["contacts"][2]["geom"] == EVIL
+    assert data["command"] == data["candidate_choice"]["candidates"] == EVIL
 
 
 def test_the_page_names_no_address(prism: RigidObject, golden_grasp: Grasp) -> None:
     page = report_page(prism, golden_grasp, "prism.grasp.json")
     assert set(re.findall(r"https?://[^\s\"')]*", page)) == {"http://www.w3.org/2000/svg"}  # a name, never fetched
-    assert not re.search(r"\b(src|href)=|@import|url\(|fetch\(|XMLHttpRequest|innerHTML|eval\(", page)
+    assert not re.search(r"\b(src|href)=|@import|url\((?!#)|fetch\(|XMLHttpRequest|innerHTML|eval\(", page)
     assert "default-src 'none'" in page
-
-
-def test_a_grasp_that_was_not_found_is_refused(prism: RigidObject, golden_grasp: Grasp) -> None:
-    none = replace(
-        golden_grasp,
-        contacts=golden_grasp.contacts.subset(np.empty(0, dtype=int)),
-        phi=np.empty(0),
-        forces=np.empty((0, 0, 3)),
-    )
-    with pytest.raises(GraspFileError, match="nothing to show"):
-        report_page(prism, none, "x.grasp.json")
 
 
 def test_an_open_bound_is_shown_as_open(prism: RigidObject, golden_grasp: Grasp, tmp_path: Path) -> None:
@@ -73,7 +73,19 @@ def test_an_open_bound_is_shown_as_open(prism: RigidObject, golden_grasp: Grasp,
     assert says(visit(page, profile=tmp_path / "profile").dom, "nothing is proven yet .time limit.")
 
 
-MEASURE = """
+def test_strengths_are_shown_where_they_differ(
+    prism: RigidObject, golden_grasp: Grasp, limited_grasp: Grasp, tmp_path: Path
+) -> None:
+    for name, grasp, shown in (("alike", golden_grasp, False), ("differ", limited_grasp, True)):
+        data = json.loads(Scripts(report_page(prism, grasp, "x.grasp.json")).scripts[0])
+        assert [contact["strength"] for contact in data["contacts"]] == grasp.contacts.strengths.tolist()
+        page = tmp_path / f"{name}.html"
+        write_report(page, prism, grasp, "x.grasp.json")
+        seen = visit(page, profile=tmp_path / name).dom
+        assert says(seen, "push with, times its strength") == says(seen, "<th>strength") == shown
+
+
+PIXELS = """
 const pixels = () => {
   scene.draw();
   const { gl } = scene, all = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
@@ -81,6 +93,9 @@ const pixels = () => {
   return all;
 };
 const differ = (a, b) => a.reduce((count, value, i) => count + (value !== b[i]), 0);
+"""
+
+MEASURE = """
 const slider = document.getElementById("slider"), first = pixels(), wrench = document.body.dataset.wrench;
 const shown = () => [...document.querySelectorAll("#fingers .value")].map((cell) => cell.textContent).join("|");
 const forces = shown();
@@ -102,7 +117,7 @@ def test_a_browser_shows_the_grasp_and_the_slider_changes_the_forces(
 ) -> None:
     page = tmp_path / "prism.html"
     write_report(page, prism, golden_grasp, "prism.grasp.json")
-    told = visit(with_script(page, MEASURE), profile=tmp_path / "profile")
+    told = visit(with_script(page, PIXELS + MEASURE), profile=tmp_path / "profile")
     assert told.console == ()
     seen = json.loads(told.told)
     assert seen["requests"] == []
@@ -115,3 +130,113 @@ def test_a_browser_shows_the_grasp_and_the_slider_changes_the_forces(
     forces = np.linalg.norm(golden_grasp.forces[golden_grasp.critical_wrench], axis=1)
     assert [float(value) for value in re.findall(r"([\d.]+) N", seen["forces"])] == pytest.approx(forces, rel=1e-3)
     assert seen["forces"] != seen["lastForces"]
+
+
+def with_log(grasp: Grasp, lines: int) -> Grasp:
+    """The grasp with an invented search log that ends as its own does: halfway to the end at every line."""
+    (end,) = grasp.search.trace[-1:]
+    shares = [1 - 0.5**k for k in range(lines - 1)]
+    log = tuple(
+        TraceLine(
+            seconds=end.seconds * share,
+            nodes=int(end.nodes * share),
+            open=lines,
+            lower_bound=end.lower_bound * share,
+            incumbent=None if share == 0 else grasp.rho * (2 - share),
+            socp_solves=int(end.socp_solves * share**2),
+            cuts=end.cuts,
+        )
+        for share in shares
+    )
+    return replace(grasp, search=replace(grasp.search, trace=(*log, end)))
+
+
+CURVE = """
+const all = (what) => [...document.querySelectorAll(`#gap ${what}`)];
+const dots = () => all("circle").map((dot) => ["cx", "cy"].map((key) => Number(dot.getAttribute(key))));
+const texts = () => all("text").map((text) => text.textContent);
+const [first, names] = [dots(), texts()], log = document.getElementById("log");
+document.querySelector("button[data-by=socp_solves]").click();
+tell(JSON.stringify({ first, names, second: dots(), otherNames: texts(), open: log.open,
+  rows: log.querySelectorAll("td:first-child").length, command: document.getElementById("command").textContent,
+  words: document.getElementById("panels").textContent }));
+"""
+
+
+def test_the_gap_curve_is_drawn_to_scale_and_a_long_log_is_folded(
+    prism: RigidObject, golden_grasp: Grasp, tmp_path: Path
+) -> None:
+    page, command = tmp_path / "prism.html", "grasp-plan 'my  prism.xml' --friction 0.3"
+    grasp = replace(with_log(golden_grasp, 12), command=command)
+    write_report(page, prism, grasp, "prism.grasp.json")
+    told = visit(with_script(page, CURVE), profile=tmp_path / "profile")
+    assert told.console == ()
+    seen = json.loads(told.told)
+    trace = grasp.search.trace
+    values = [line.lower_bound for line in trace] + [line.incumbent for line in trace if line.incumbent is not None]
+    for dots, key in ((seen["first"], "seconds"), (seen["second"], "socp_solves")):
+        places = [getattr(line, key) for line in trace] + [getattr(line, key) for line in trace[1:]]
+        drawn = np.array(dots)
+        assert drawn.shape == (12 + 11, 2)
+        assert np.corrcoef(drawn[:, 0], places)[0, 1] == pytest.approx(1)
+        assert np.corrcoef(drawn[:, 1], values)[0, 1] == pytest.approx(-1)  # drawings count downward
+    assert {"time [s]", "rho, the force of a finger [N]"} <= set(seen["names"])
+    assert "second-order cone programs solved" in seen["otherNames"]
+    assert (seen["open"], seen["rows"], seen["command"]) == (False, 12, command)
+    for said in (prism.sha256, f"clarabel {golden_grasp.packages['clarabel']}", "candidatescase3", "friction0.3"):
+        assert said in seen["words"]
+
+
+BARE = """
+const dotted = pixels(), box = document.querySelector("#toggle input");
+box.click();
+const bare = pixels();
+scene.moving = [];
+tell(JSON.stringify({ dots: differ(dotted, bare), load: differ(bare, pixels()), error: scene.gl.getError(),
+  requests: performance.getEntriesByType("resource").length, words: document.getElementById("panels").textContent,
+  slider: document.getElementById("slider") !== null, curve: document.querySelectorAll("#gap circle").length }));
+"""
+
+
+def seen_without_grasp(rigid_object: RigidObject, grasp: Grasp, folder: Path) -> dict[str, Any]:
+    """What a browser shows of a search that has found nothing."""
+    assert not grasp.found
+    page = folder / "none.html"
+    write_report(page, rigid_object, grasp, "none.grasp.json")
+    told = visit(with_script(page, PIXELS + BARE), profile=folder / "profile")
+    assert told.console == ()
+    seen: dict[str, Any] = json.loads(told.told)
+    assert (seen["error"], seen["requests"], seen["slider"]) == (0, 0, False)
+    assert seen["dots"] > 50
+    return seen
+
+
+def test_a_task_proven_impossible_is_shown_with_its_proof_and_the_load_nothing_balances(
+    prism: RigidObject, tmp_path: Path
+) -> None:
+    top = np.array([(-0.01, -0.01, 0.01), (0, -0.01, 0.01), (-0.01, 0, 0.01), (-0.005, -0.005, 0.01)])
+    grasp = plan(prism, make_task("gravity", prism), listed_candidates(prism, top, 0.3), fingers=3)
+    wrench = hopeless_wrench(grasp)
+    assert wrench is not None
+    assert grasp.task.wrenches[wrench, 2] < 0  # fingers on top cannot hold up
+    seen = seen_without_grasp(prism, grasp, tmp_path)
+    assert seen["load"] > 500
+    assert says(seen["words"], "No grasp exists.*No 3 of the 4 candidates .4 subsets. resist “gravity” with less than")
+    assert says(seen["words"], f"One direction proves it.*wrench {wrench} of the task.*choice not recorded")
+
+
+def test_a_search_stopped_before_its_first_grasp_says_what_is_open(prism: RigidObject, tmp_path: Path) -> None:
+    candidates = make_candidates(prism, "case3", 0.3, seed=0)
+    grasp = plan(prism, make_task("paper", prism), candidates, 3, CertifiedSearch(time_limit=0))
+    seen = seen_without_grasp(prism, grasp, tmp_path)
+    assert seen["load"] == 0
+    assert seen["curve"] >= len(grasp.search.trace)
+    assert says(seen["words"], "No grasp was found.*one may exist .time limit.*stopped at its time limit")
+    assert "No grasp exists" not in seen["words"]
+
+
+def test_a_planar_object_without_a_grasp_has_a_page() -> None:
+    plate = read_object_file(ASSETS / "planar" / "convex.toml", None)
+    grasp = plan(plate, make_task("paper", plate), make_candidates(plate, "20", 0.3, seed=0), fingers=1)
+    assert grasp.status is Status.INFEASIBLE
+    assert "<title>plate: no grasp (infeasible)</title>" in report_page(plate, grasp, "plate.grasp.json")

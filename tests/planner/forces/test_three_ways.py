@@ -1,5 +1,7 @@
 """Subproblem 2 three ways: Clarabel in contact frames, CVXPY with norms, CVXPY with the paper's two matrices."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -39,6 +41,41 @@ def test_all_three_find_the_same_phi_or_prove_that_there_is_none(fingers: int, d
                 assert solution.lower_bound() > BEYOND_ANY_GRASP * np.abs(problem.wrench).max()
     if not feasible and fingers == 2:
         assert unbalanced > 0  # the second half of the claim was tried
+
+
+@pytest.mark.parametrize(("fingers", "dimension"), SHAPES)
+def test_fingers_of_different_strength_are_capped_at_their_own_share(fingers: int, dimension: int) -> None:
+    """All three agree; each force is at most s_i phi, one is as large; the direction proves it best."""
+    rng = np.random.default_rng([fingers, dimension])
+    solvers = [solver(fingers, dimension) for solver in (MinimaxForces, ReferenceForces, SemidefiniteForces)]
+    for _ in range(TRIALS):
+        even = random_problem(rng, fingers, dimension, feasible=True)
+        strength = 10.0 ** rng.uniform(-1, 1, size=fingers)
+        problem = replace(even, contacts=replace(even.contacts, strength=strength))
+        phi = solvers[0].solve(problem).phi
+        for solution in (solver.solve(problem) for solver in solvers):
+            assert solution.phi == pytest.approx(phi, rel=1e-6)
+            assert (np.linalg.norm(solution.forces, axis=1) / strength).max() == pytest.approx(phi, rel=1e-6)
+            assert solution.balance_residual() < 1e-6
+            assert solution.cone_residual() < 1e-6 * strength.max()
+            assert solution.gap() < 1e-6
+        twice = replace(even, contacts=replace(even.contacts, strength=2 * strength))
+        assert solvers[0].solve(twice).phi == pytest.approx(phi / 2, rel=1e-6)
+
+
+@pytest.mark.parametrize("solver", [MinimaxForces, ReferenceForces, SemidefiniteForces])
+def test_supports_share_a_weight_by_their_strengths(solver: type[MinimaxForces] | type[ReferenceForces]) -> None:
+    """Three supports in line under a weight, the outer two alike: phi = W / (s_1 + s_2 + s_3)."""
+    contacts = Contacts(
+        points=np.array([[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0]]),
+        normals=np.tile([0.0, 1.0], (3, 1)),
+        friction=np.full(3, 0.5),
+        strength=np.array([1.0, 0.5, 1.0]),
+    )
+    problem = ForceProblem(contacts=contacts, reference_point=np.zeros(2), wrench=np.array([0.0, -5.0, 0.0]))
+    solution = solver(3, 2).solve(problem)
+    assert solution.phi == pytest.approx(5 / 2.5, rel=1e-6)
+    np.testing.assert_allclose(solution.forces, [[0, 2], [0, 1], [0, 2]], atol=1e-5)
 
 
 def test_the_matrices_are_those_of_the_paper() -> None:

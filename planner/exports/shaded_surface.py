@@ -1,0 +1,13 @@
+"""The surface of a part as graphics cards shade it: smooth where it is curved, sharp where it turns."""
+
+import numpy as np
+
+from planner.objects.rigid_object import ConvexPart
+
+
+def shaded_surface(part: ConvexPart) -> np.ndarray:
+    """Corners of a part's triangles with their exact outward normals, shape (3 triangles, 6)."""
+    triangles, facets = part.triangles()
+    corners = triangles.reshape(-1, 3)
+    _, inward = part.project(corners, np.repeat(facets, 3))
+    return np.hstack([corners, -inward])

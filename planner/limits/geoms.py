@@ -1,0 +1,25 @@
+"""No finger on excluded geoms."""
+
+from fnmatch import fnmatchcase
+
+import numpy as np
+
+from planner.candidates.candidates import Candidates
+from planner.limits.limits import Limits
+from planner.objects.graspable import Graspable
+
+
+def off_excluded_geoms(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:
+    """Whether each candidate lies on a geom that is not excluded, shape (n,)."""
+    return ~on_geoms(rigid_object, candidates, limits.exclude_geoms)
+
+
+def on_geoms(rigid_object: Graspable, candidates: Candidates, patterns: tuple[str, ...]) -> np.ndarray:
+    """Whether the geom of each candidate matches one of the names or patterns, shape (n,)."""
+    named = [any(matches(part.geom, pattern) for pattern in patterns) for part in rigid_object.parts]
+    return np.array(named, dtype=bool)[candidates.part]
+
+
+def matches(geom: str, pattern: str) -> bool:
+    """Whether a geom is meant: by its name, or by a pattern in which * stands for any characters."""
+    return geom == pattern or fnmatchcase(geom, pattern)

@@ -1,0 +1,159 @@
+"""The limits of a hand on one object, as a limits file states them.
+
+Frame: the object's body frame B, SI; d = 3 in space, 2 in the plane. Which candidates they leave is decided in
+`restricted` and `fingers`, one rule per file; `spacing`, `span` and the fingers' strengths are for the search.
+"""
+
+from math import inf
+
+import msgspec
+import numpy as np
+
+from planner.errors import LimitsError
+from planner.limits.values import LARGEST, positive, vector
+from planner.objects.vectors import norm, unit
+from planner.search.problem import MOST_FINGERS
+
+LEAST_NORMAL = 1e-6
+"""Least length of a normal that says a direction; the greatest is LARGEST."""
+
+
+class Box(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The points with lower <= p <= upper in every coordinate; a side may be at infinity.
+
+    Raises:
+        LimitsError: On corners that do not match, are no numbers, or enclose nothing.
+    """
+
+    lower: tuple[float, ...]
+    """Shape (d,) [m]."""
+
+    upper: tuple[float, ...]
+    """Shape (d,) [m]."""
+
+    def __post_init__(self) -> None:
+        lower, upper = vector("lower", self.lower), vector("upper", self.upper)
+        if len(lower) != len(upper) or not (lower < upper).all():
+            raise LimitsError(
+                f"a box reaches from lower {list(self.lower)} to upper {list(self.upper)}; every coordinate of lower "
+                "must be less than that of upper"
+            )
+
+    def holds(self, points: np.ndarray) -> np.ndarray:
+        """Whether each point, shape (n, d) [m], lies in the box, shape (n,)."""
+        return np.all((points >= self.lower) & (points <= self.upper), axis=1)
+
+
+class Table(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The plane { p : up . p = height } that the object stands on.
+
+    Raises:
+        LimitsError: On a normal without direction, a height that is not finite, or a clearance that is not positive.
+    """
+
+    normal: tuple[float, ...]
+    """Away from the table, of any length, shape (d,)."""
+
+    clearance: float
+    """Contacts are at least this far above [m]; positive, so that none is on the underside."""
+
+    height: float | None = None
+    """Along the unit normal [m]; the lowest point of the object where left out."""
+
+    def __post_init__(self) -> None:
+        length = norm(vector("table.normal", self.normal))
+        if not LEAST_NORMAL <= length <= LARGEST:
+            raise LimitsError(
+                f"table.normal is {list(self.normal)}; its length must be between {LEAST_NORMAL:g} and {LARGEST:g}"
+            )
+        if self.height is not None and not abs(self.height) <= LARGEST:
+            raise LimitsError(f"table.height is {self.height}; it must be finite, at most {LARGEST:g} m in magnitude")
+        positive("table.clearance", self.clearance)
+
+    @property
+    def up(self) -> np.ndarray:
+        """The unit normal, shape (d,)."""
+        return unit(np.array(self.normal, dtype=float))
+
+
+class Approach(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The straight way by which a fingertip, a ball, comes to its contact along the inward normal.
+
+    Raises:
+        LimitsError: On a radius or length that is not positive.
+    """
+
+    radius: float
+    """Of the fingertip [m]."""
+
+    length: float
+    """How far the fingertip comes [m]."""
+
+    def __post_init__(self) -> None:
+        positive("approach.radius", self.radius)
+        positive("approach.length", self.length)
+
+
+class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What one finger can do.
+
+    Raises:
+        LimitsError: On a strength that is not positive, or a list of geoms that is empty.
+    """
+
+    strength: float = 1.0
+    """s: the finger pushes with |f| <= s rho."""
+
+    geoms: tuple[str, ...] | None = None
+    """The geoms it may touch, by name or pattern ("wall*"); all where left out."""
+
+    within: Box | None = None
+    """Where it may touch; anywhere where left out."""
+
+    def __post_init__(self) -> None:
+        positive("a finger's strength", self.strength)
+        if self.geoms is not None and not self.geoms:
+            raise LimitsError("a finger's geoms are an empty list; leave geoms out to allow every geom")
+
+
+class Limits(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Everything that a limits file can say; what is left out limits nothing.
+
+    Raises:
+        LimitsError: On distances that are out of range or leave no room, or too many fingers.
+    """
+
+    spacing: float = 0.0
+    """Least distance between two contacts [m]."""
+
+    span: float = inf
+    """Greatest distance between two contacts [m]."""
+
+    exclude_geoms: tuple[str, ...] = ()
+    """Geoms that no finger may touch, by name or pattern ("handle*")."""
+
+    keep_out: tuple[Box, ...] = ()
+    """Boxes in which no contact may lie."""
+
+    table: Table | None = None
+
+    approach: Approach | None = None
+
+    fingers: tuple[Finger, ...] = msgspec.field(default=(), name="finger")
+    """One for every finger, or none where all fingers are alike."""
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.spacing <= LARGEST:
+            raise LimitsError(f"spacing is {self.spacing}; it must not be negative, and at most {LARGEST:g} m")
+        if not self.spacing <= self.span or self.span == 0:
+            raise LimitsError(
+                f"span is {self.span}; the greatest distance between two contacts must be positive and not less than "
+                f"the least, spacing = {self.spacing:g} m"
+            )
+        if len(self.fingers) > MOST_FINGERS:
+            raise LimitsError(f"there are {len(self.fingers)} tables [[finger]]; at most {MOST_FINGERS} are allowed")
+
+    @property
+    def strengths(self) -> np.ndarray:
+        """Relative strength of every finger, shape (fingers,)."""
+        return np.array([finger.strength for finger in self.fingers])

@@ -1,0 +1,79 @@
+"""Random small problems with kinds of fingers, spacing or span, and their optimum by brute force."""
+
+from collections import Counter
+from dataclasses import replace
+from itertools import combinations
+from math import dist
+
+import numpy as np
+
+from planner.forces.minimax import MinimaxForces
+from planner.forces.problem import ForceProblem
+from planner.forces.reference import ReferenceForces
+from planner.grasp import Certificate
+from planner.search.certified import CertifiedSearch
+from planner.search.finger_kind import FingerKind
+from planner.search.problem import SearchProblem
+from tests.planner.search.instances import random_problem
+
+
+def limited_problem(seed: int) -> SearchProblem:
+    """`random_problem` with two kinds of fingers that overlap, or with spacing, span, or all three."""
+    free = random_problem(seed)
+    generator = np.random.default_rng([seed, 1])
+    count, points = len(free.contacts), free.contacts.points
+    usual = float(np.median([dist(a, b) for a, b in combinations(points.tolist(), 2)]))
+    spacing, span = 0.7 * usual if seed % 3 else 0.0, 1.3 * usual if seed % 4 else np.inf
+    if seed % 2:
+        return replace(free, spacing=spacing, span=span)
+    shares = np.arange(max(2, count // 2)), np.arange(count // 3, count)
+    first = int(generator.integers(1, free.fingers))
+    first, second = min(first, len(shares[0])), free.fingers - min(first, len(shares[0]))
+    kinds = (
+        FingerKind(fingers=first, candidates=len(shares[0]), strength=float(generator.uniform(0.3, 3))),
+        FingerKind(fingers=second, candidates=len(shares[1])),
+    )
+    contacts = free.contacts.subset(np.concatenate(shares))
+    return replace(free, contacts=contacts, kinds=kinds, spacing=spacing, span=span)
+
+
+def certified(problem: SearchProblem) -> tuple[Certificate, float]:
+    """The search's certificate and its bound."""
+    result = CertifiedSearch(gap=1e-4).run(problem)
+    certificate = Certificate(
+        candidates=problem.contacts,
+        cuts=result.directions,
+        kinds=problem.kinds,
+        spacing=problem.least_distance,
+        span=problem.span,
+    )
+    return certificate, result.lower_bound
+
+
+def allowed(problem: SearchProblem, subset: tuple[int, ...]) -> bool:
+    """Whether a subset has the right number of each kind, no point twice, and keeps spacing and span."""
+    points = problem.contacts.points.tolist()
+    ends = np.cumsum([kind.candidates for kind in problem.kinds])
+    found = Counter(int((index >= ends).sum()) for index in subset)
+    if any(found[number] != kind.fingers for number, kind in enumerate(problem.kinds)):
+        return False
+    pairs = list(combinations([points[index] for index in subset], 2))
+    apart = not problem.kinds or all(a != b for a, b in pairs)
+    return apart and all(problem.spacing <= dist(a, b) <= problem.span for a, b in pairs)
+
+
+def least_level(problem: SearchProblem, forces: type[ReferenceForces] | type[MinimaxForces] = ReferenceForces) -> float:
+    """The least rho of all allowed subsets [N], a subset left once a wrench needs more; at most the force ceiling."""
+    solver = forces(problem.fingers, problem.contacts.dimension)
+    strength = [kind.strength for kind in problem.kinds for _ in range(kind.candidates)]
+    contacts = replace(problem.contacts, strength=np.array(strength)) if strength else problem.contacts
+    least = problem.force_ceiling
+    for subset in combinations(range(len(contacts)), problem.fingers):
+        if allowed(problem, subset):
+            grasp, rho = contacts.subset(np.array(subset)), 0.0
+            for wrench in problem.wrenches:
+                if rho < least:
+                    case = ForceProblem(contacts=grasp, reference_point=problem.reference_point, wrench=wrench)
+                    rho = max(rho, solver.solve(case).phi)
+            least = min(least, rho)
+    return least

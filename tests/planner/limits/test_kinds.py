@@ -1,0 +1,92 @@
+"""Fingers that are alike share their candidates; limits that leave nothing to search are refused."""
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+from planner.candidates.candidates import Candidates
+from planner.candidates.choice import make_candidates
+from planner.errors import CandidateError, LimitsError
+from planner.limits.kinds import finger_kinds
+from planner.limits.limits import Box, Finger, Limits
+from planner.objects.mjcf import read_object
+from planner.objects.rigid_object import RigidObject
+from planner.search.finger_kind import FingerKind
+from tests.commands import ASSETS
+
+UPRIGHT = ("upright",)
+
+
+@pytest.fixture(scope="module")
+def bracket() -> RigidObject:
+    return read_object(ASSETS / "bracket" / "bracket.xml")
+
+
+@pytest.fixture(scope="module")
+def candidates(bracket: RigidObject) -> Candidates:
+    return make_candidates(bracket, "40", None, seed=0)
+
+
+def test_fingers_of_one_mask_and_strength_are_one_kind(bracket: RigidObject, candidates: Candidates) -> None:
+    tables = Finger(geoms=UPRIGHT), Finger(strength=2), Finger(geoms=("up*",)), Finger(), Finger(strength=2.0)
+    kinds = finger_kinds(bracket, candidates, 5, Limits(fingers=tables))
+    upright = [bracket.parts[part].geom == "upright" for part in candidates.part]
+    assert kinds.kinds == (
+        FingerKind(fingers=2, candidates=sum(upright)),  # two ways to say the same geoms
+        FingerKind(fingers=2, candidates=40, strength=2.0),
+        FingerKind(fingers=1, candidates=40),
+    )
+    assert kinds.of_finger.tolist() == [0, 1, 0, 2, 1]
+    points = candidates.contacts.points
+    np.testing.assert_array_equal(kinds.candidates.contacts.points, np.concatenate([points[upright], points, points]))
+
+
+def test_every_finger_gets_a_contact_of_its_own_kind(bracket: RigidObject, candidates: Candidates) -> None:
+    tables = Finger(strength=2), Finger(geoms=UPRIGHT), Finger(strength=2), Finger(geoms=UPRIGHT)
+    kinds = finger_kinds(bracket, candidates, 4, Limits(fingers=tables))
+    strong = kinds.kinds[0].candidates
+    for subset in map(np.array, permutations((3, 7, strong, strong + 2))):
+        ordered = subset[kinds.in_finger_order(subset)]
+        assert ordered.tolist() == [3, strong, 7, strong + 2]
+
+
+def test_fingers_that_are_all_alike_need_no_kinds(bracket: RigidObject, candidates: Candidates) -> None:
+    for limits in (Limits(), Limits(fingers=(Finger(), Finger(strength=1)))):
+        kinds = finger_kinds(bracket, candidates, 2, limits)
+        assert kinds.kinds == ()
+        np.testing.assert_array_equal(kinds.candidates.contacts.points, candidates.contacts.points)
+    both = finger_kinds(bracket, candidates, 2, Limits(fingers=(Finger(geoms=UPRIGHT),) * 2))
+    assert both.kinds == ()
+    assert {bracket.parts[part].geom for part in both.candidates.part} == {"upright"}
+    strong = finger_kinds(bracket, candidates, 2, Limits(fingers=(Finger(strength=3),) * 2))
+    assert strong.kinds == (FingerKind(fingers=2, candidates=40, strength=3.0),)
+
+
+@pytest.mark.parametrize(
+    ("limits", "error", "message"),
+    [
+        (Limits(fingers=(Finger(),)), LimitsError, r"1 tables \[\[finger\]\] for 3 fingers"),
+        (Limits(spacing=0.5), LimitsError, "no two of the 40 candidates are more than 0.1[0-9]+ m apart"),
+        (Limits(span=1e-5), LimitsError, "no two of the 40 candidates are less than 0.0[0-9]+ m apart"),
+        (Limits(fingers=(Finger(within=Box(lower=(5, 5, 5), upper=(6, 6, 6))),) * 3), CandidateError, "may use none"),
+    ],
+)
+def test_limits_that_leave_nothing_to_search_are_refused(
+    bracket: RigidObject, candidates: Candidates, limits: Limits, error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        finger_kinds(bracket, candidates, 3, limits)
+
+
+def test_more_fingers_of_a_kind_than_candidates_are_refused(bracket: RigidObject, candidates: Candidates) -> None:
+    highest = float(candidates.contacts.points[:, 2].max())
+    few = Finger(within=Box(lower=(-1, -1, highest), upper=(1, 1, 1)))
+    count = int((candidates.contacts.points[:, 2] == highest).sum())
+    tables = (few,) * (count + 1)
+    with pytest.raises(CandidateError, match=f"{count + 1} fingers of one kind but {count} candidates"):
+        finger_kinds(bracket, candidates, count + 1, Limits(fingers=tables))
+
+
+def test_one_finger_has_no_neighbour_to_keep_a_distance_to(bracket: RigidObject, candidates: Candidates) -> None:
+    assert finger_kinds(bracket, candidates, 1, Limits(spacing=0.5)).kinds == ()

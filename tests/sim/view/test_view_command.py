@@ -1,0 +1,67 @@
+"""`grasp-view` as users meet it."""
+
+import os
+import signal
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+from tests.commands import ROOT, run, says
+
+
+def test_ctrl_c_ends_it_cleanly(golden_file: Path) -> None:
+    pytest.importorskip("viser", reason="the live view needs the extra viz")
+    command = [sys.executable, str(ROOT / "scripts" / "view.py"), str(golden_file), "--no-open", "--port", "0"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(
+        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            assert process.stdout is not None
+            line = process.stdout.readline()
+            assert says(line, r"^view http://localhost:\d+ \(Ctrl-C ends it\)")
+            with urllib.request.urlopen(line.split()[1], timeout=10) as answer:
+                assert answer.status == 200
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=30)
+        finally:
+            process.kill()
+    assert (process.returncode, out, err) == (0, "", "")
+
+
+def test_without_viser_one_line_names_the_extra(
+    golden_file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "viser", None)
+    assert run("grasp-view", golden_file, "--no-open") == 1
+    told = capsys.readouterr().err
+    assert told == "error: the live view needs viser; install it with: pip install 'rhograsp[viz]'\n"
+
+
+def test_bad_options_are_refused_with_a_reason(
+    golden_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("viser", reason="the live view needs the extra viz")
+    for arguments, message in (
+        ((), "no grasp file named"),
+        ((golden_file, golden_file, "--object", "x.xml"), "--object is for a single file; 2 are named"),
+        ((tmp_path / "nowhere.grasp.json",), r"nowhere\.grasp\.json"),
+        ((golden_file, "--port", 70000), "port 70000"),
+    ):
+        assert run("grasp-view", *arguments, "--no-open") == 1, arguments
+        assert says(capsys.readouterr().err, f"^error: .*{message}"), arguments
+
+
+def test_help_loads_nothing_heavy() -> None:
+    code = (
+        f"import sys, runpy; sys.argv = ['x', '--help']\n"
+        f"try: runpy.run_path({str(ROOT / 'scripts' / 'view.py')!r}, run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "print('HEAVY', sorted({'mujoco', 'cvxpy', 'scipy', 'trimesh', 'dm_control', 'viser'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert "HEAVY []" in done.stdout
+    assert says(done.stdout, "exit codes: 0 done and proven")
