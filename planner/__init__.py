@@ -1,0 +1,61 @@
+"""Certified optimal grasps on MJCF objects: one call per job.
+
+    mug = planner.read_object("mug.xml")
+    task = planner.make_task("gravity", mug)
+    grasp = planner.plan(mug, task, planner.make_candidates(mug, "300", friction=0.5), fingers=3)
+    checks = planner.verify(grasp)
+    planner.write_grasp("mug.grasp.json", grasp)
+
+What is not asked for is not imported: `import planner` costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from planner.candidates.choice import make_candidates
+    from planner.grasp import Grasp
+    from planner.grasp_file import read_grasp, write_grasp
+    from planner.limits.limits_file import read_limits
+    from planner.objects.object_file import read_object_file as read_object
+    from planner.planning import plan, plan_several
+    from planner.search.certified import CertifiedSearch
+    from planner.task import Task, make_task
+    from planner.verification import verify
+
+__all__ = [
+    "CertifiedSearch",
+    "Grasp",
+    "Task",
+    "make_candidates",
+    "make_task",
+    "plan",
+    "plan_several",
+    "read_grasp",
+    "read_limits",
+    "read_object",
+    "verify",
+    "write_grasp",
+]
+
+_HOMES = {
+    "CertifiedSearch": "planner.search.certified:CertifiedSearch",
+    "Grasp": "planner.grasp:Grasp",
+    "Task": "planner.task:Task",
+    "make_candidates": "planner.candidates.choice:make_candidates",
+    "make_task": "planner.task:make_task",
+    "plan": "planner.planning:plan",
+    "plan_several": "planner.planning:plan_several",
+    "read_grasp": "planner.grasp_file:read_grasp",
+    "read_limits": "planner.limits.limits_file:read_limits",
+    "read_object": "planner.objects.object_file:read_object_file",
+    "verify": "planner.verification:verify",
+    "write_grasp": "planner.grasp_file:write_grasp",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'planner' has no attribute {name!r}; it has {', '.join(__all__)}")
+    module, attribute = _HOMES[name].split(":")
+    return getattr(import_module(module), attribute)

@@ -58,7 +58,7 @@ def numbered(path: Path, number: int) -> Path:
     return path.with_name(f"{stem}.{number}{suffix}")
 
 
-def write_grasp(path: Path, grasp: Grasp) -> None:
+def write_grasp(path: Path | str, grasp: Grasp) -> None:
     """Write a grasp and its side file, the side file first.
 
     Args:
@@ -68,7 +68,7 @@ def write_grasp(path: Path, grasp: Grasp) -> None:
     Raises:
         OutputError: When the folder cannot be written.
     """
-    arrays = io.BytesIO()
+    path, arrays = Path(path), io.BytesIO()
     candidates = grasp.certificate.candidates
     np.savez_compressed(
         arrays,
@@ -84,13 +84,14 @@ def write_grasp(path: Path, grasp: Grasp) -> None:
     write_atomically(path, text.encode() + b"\n")
 
 
-def read_grasp(path: Path) -> Grasp:
+def read_grasp(path: Path | str) -> Grasp:
     """Read a grasp file and its side file.
 
     Raises:
         GraspFileError: When a file is missing, truncated, too large, of another format or a newer version, or when
             its parts do not fit each other.
     """
+    path = Path(path)
     document = _decode(path)
     arrays = _read_arrays(path.parent / Path(document.certificate.file).name, document.certificate.sha256)
     try:

@@ -11,6 +11,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from planner.commands.console import Console
 from planner.commands.terminal import ExitCode, parse, run
 from planner.errors import OutputError
 
@@ -33,16 +34,16 @@ HEADLESS = (
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Photograph the report of a grasp of the mug, as the README shows it."""
+    """Film a grasp of the mug in MuJoCo and photograph its report, as the README shows them."""
 
     out: Path = Path("figures")
-    """Folder for report.png; made if missing."""
+    """Folder for held.gif and report.png; made if missing."""
 
 
 def photograph(options: Options) -> ExitCode:
-    """Plan, validate, report, photograph."""
+    """Plan, validate, film, report, photograph."""
     from planner.commands import plan  # here: the help must not wait for MuJoCo
-    from sim.commands import report, validate
+    from sim.commands import render, report, validate
 
     browser = next((found for name in BROWSERS if (found := shutil.which(name))), None)
     if browser is None:
@@ -51,13 +52,17 @@ def photograph(options: Options) -> ExitCode:
     with tempfile.TemporaryDirectory() as folder:
         grasp, page = Path(folder, "mug.grasp.json"), Path(folder, "mug.report.html")
         checked = Path(folder, "mug.validation.json")
-        plan.plan_command(plan.Options(object=MUG, friction=0.5, out=grasp, quiet=True))
-        validate.validate_command(validate.Options(file=grasp, out=checked, quiet=True))
+        console = Console(quiet=True)
+        plan.plan_command(
+            plan.Options(object=MUG, friction=0.5, out=grasp), console, "grasp-plan mug.xml --friction 0.5"
+        )
+        validate.validate_command(validate.Options(file=grasp, out=checked), console)
+        render.render_command(render.Options(file=grasp, out=(options.out / "held.gif",)), console)
         report.report_command(report.Options(files=(grasp,), out=page))
         picture = (options.out / "report.png").resolve()
         command = [browser, *HEADLESS, f"--user-data-dir={folder}/profile", f"--screenshot={picture}", page.as_uri()]
         subprocess.run(command, check=True, capture_output=True, timeout=120)
-    print(f"wrote       {options.out / 'report.png'}")
+    print(f"wrote       {options.out / 'held.gif'} and {options.out / 'report.png'}")
     return ExitCode.DONE
 
 

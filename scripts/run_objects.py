@@ -28,11 +28,11 @@ from planner.errors import ObjectError, RhograspError
 from planner.grasp import Grasp
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validate import Validation, validate_grasp
+from sim.validation import Validation, validate
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
 FINGERS = (3, 4)
@@ -121,7 +121,7 @@ def row(label: str, rigid_object: RigidObject, grasp: Grasp, seconds: float, opt
     if not grasp.found:
         proven = grasp.status is Status.INFEASIBLE
         return Row(f"{left} | {grasp.status} | | {seconds:.2f} | | |", good=proven)
-    validation = validate_grasp(rigid_object, grasp, measure=options.measure)
+    validation = validate(rigid_object, grasp, measure=options.measure)
     text = (
         f"{left} | {grasp.rho:.4g} | {grasp.gap:.2%} | {seconds:.2f} | {validation.verdict} | {measured(validation)} |"
     )

@@ -6,7 +6,7 @@ from math import nan
 
 from planner.candidates.choice import make_candidates
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task

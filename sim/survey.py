@@ -14,7 +14,7 @@ from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
 from sim.experiment import Experiment, set_up

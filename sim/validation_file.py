@@ -12,7 +12,7 @@ from sim.critical_force import CriticalForce
 from sim.force_agreement import ForceAgreement
 from sim.measurement import Measurement
 from sim.protocol import ValidationProtocol
-from sim.validate import Validation
+from sim.validation import Validation
 from sim.verdict import Verdict
 
 FORMAT, FORMAT_VERSION = "rhograsp.validation", 1

@@ -10,7 +10,7 @@ from planner.grasp_file import write_grasp
 from planner.limits.limits import Finger, Limits
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.task import make_task
 from tests.commands import ASSETS
 

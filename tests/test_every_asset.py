@@ -4,10 +4,10 @@ import pytest
 
 from planner.candidates.choice import make_candidates
 from planner.objects.mjcf import read_object
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validate import validate_grasp
+from sim.validation import validate
 from tests.commands import ASSETS
 
 OBJECTS = sorted(path.parent.name for path in ASSETS.glob("*/*.xml"))
@@ -21,5 +21,5 @@ def test_an_asset_plans_and_passes_in_mujoco(name: str, fingers: int) -> None:
     candidates = make_candidates(rigid_object, "100", None, seed=0)
     grasp = plan(rigid_object, task, candidates, fingers)
     assert grasp.status is Status.OPTIMAL
-    validation = validate_grasp(rigid_object, grasp)
+    validation = validate(rigid_object, grasp)
     assert validation.verdict, validation.reasons

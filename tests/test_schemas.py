@@ -11,7 +11,7 @@ from planner.grasp import Grasp
 from planner.grasp_file import write_grasp
 from planner.objects.rigid_object import RigidObject
 from scripts.publish_schemas import SCHEMAS
-from sim.validate import validate
+from sim.validation import validate_contacts
 from sim.validation_file import write_validation
 from tests.commands import ROOT
 
@@ -56,7 +56,7 @@ def test_the_published_schema_is_the_codes(path: Path) -> None:
 
 def test_real_files_follow_the_published_schemas(golden_grasp: Grasp, prism: RigidObject, tmp_path: Path) -> None:
     task = golden_grasp.task
-    validation = validate(
+    validation = validate_contacts(
         prism,
         golden_grasp.contacts,
         task.reference_point,

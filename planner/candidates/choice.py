@@ -20,7 +20,11 @@ ALLOWED = "a number of points (300), grid:SPACING in metres (grid:0.004), case3,
 
 
 def make_candidates(
-    rigid_object: Graspable, choice: str, friction: float | None, seed: int, fingertip: float | None = None
+    rigid_object: Graspable,
+    choice: str,
+    friction: float | None = None,
+    seed: int = 0,
+    fingertip: float | None = None,
 ) -> Candidates:
     """Candidates as chosen.
 

@@ -139,7 +139,7 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
     from planner.objects.object_file import read_object_file
     from planner.objects.rigid_object import RigidObject
     from planner.objects.visual import visual_difference, warn_of_difference
-    from planner.plan import plan_several
+    from planner.planning import plan_several
     from planner.search.certified import CertifiedSearch
     from planner.task import make_task
 

@@ -12,7 +12,7 @@ PLANAR = ".toml"
 """How the name of a planar object's file ends; every other file is MJCF."""
 
 
-def read_object_file(path: Path, body: str | None = None, given: GivenMass = NOTHING_GIVEN) -> Graspable:
+def read_object_file(path: Path | str, body: str | None = None, given: GivenMass = NOTHING_GIVEN) -> Graspable:
     """The object of a file.
 
     Args:
@@ -23,6 +23,7 @@ def read_object_file(path: Path, body: str | None = None, given: GivenMass = NOT
     Raises:
         ObjectError: If the file holds no such object, or mass properties are given for a planar one.
     """
+    path = Path(path)
     if path.suffix.lower() != PLANAR:
         return read_object(path, body, given)
     if not given.nothing:

@@ -12,12 +12,9 @@ pads are on? It is never less than the best grasp for those pads.
 
 from pathlib import Path
 
-from planner.candidates.choice import make_candidates
-from planner.objects.mjcf import read_object
-from planner.plan import plan
+from planner import make_candidates, make_task, plan, read_object
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
-from planner.task import make_task
 
 PRISM = Path(__file__).resolve().parents[2] / "assets" / "prism" / "prism.xml"
 FRICTIONS = 0.2, 0.3, 0.5, 0.8

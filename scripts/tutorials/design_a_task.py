@@ -16,10 +16,7 @@ A larger set never needs less force: asking only for what the job needs is what 
 import tempfile
 from pathlib import Path
 
-from planner.candidates.choice import make_candidates
-from planner.objects.mjcf import read_object
-from planner.plan import plan
-from planner.task import make_task
+from planner import make_candidates, make_task, plan, read_object
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 

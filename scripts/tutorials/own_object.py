@@ -12,13 +12,8 @@ Three questions are then one call each: where to put the fingers, is the answer 
 import argparse
 from pathlib import Path
 
-from planner.candidates.choice import make_candidates
+from planner import make_candidates, make_task, plan, read_object, verify, write_grasp
 from planner.exports.report_page import write_report
-from planner.grasp_file import write_grasp
-from planner.objects.mjcf import read_object
-from planner.plan import plan
-from planner.task import make_task
-from planner.verification import verify
 
 HAMMER = """
 <mujoco model="hammer">

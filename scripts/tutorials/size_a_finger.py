@@ -12,11 +12,8 @@ MuJoCo whether the choice is true: every wrench must hold with the cap just abov
 
 from pathlib import Path
 
-from planner.candidates.choice import make_candidates
-from planner.objects.mjcf import read_object
-from planner.plan import plan
-from planner.task import make_task
-from sim.validate import validate_grasp
+from planner import make_candidates, make_task, plan, read_object
+from sim import validate
 
 BOX = Path(__file__).resolve().parents[2] / "assets" / "box" / "box.xml"
 ACTUATOR = 10.0
@@ -34,7 +31,7 @@ def main() -> None:
         print(
             f"{fingers} fingers: rho {grasp.rho:.3f} N; {ACTUATOR:g} N per finger carry {payload:.2f} kg of this shape"
         )
-    print(f"MuJoCo says {validate_grasp(box, grasp).verdict}")
+    print(f"MuJoCo says {validate(box, grasp).verdict}")
 
 
 if __name__ == "__main__":

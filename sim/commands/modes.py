@@ -16,7 +16,7 @@ from sim.commands.validation_report import validation_lines, validation_summary
 from sim.protocol import ACTIVE, STRICT
 from sim.squeeze import measure_squeeze_force
 from sim.squeeze_file import write_squeeze
-from sim.validate import validate_grasp
+from sim.validation import validate
 from sim.validation_file import write_validation
 from sim.workload import Observe
 
@@ -41,7 +41,7 @@ Test = Callable[[RigidObject, Grasp, "Options", Observe], Outcome]
 
 def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Observe) -> Outcome:
     """Forces that adapt to every wrench, capped around rho."""
-    validation = validate_grasp(
+    validation = validate(
         rigid_object,
         grasp,
         STRICT if options.strict else ACTIVE,

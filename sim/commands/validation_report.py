@@ -8,7 +8,7 @@ from sim.beyond import Beyond
 from sim.critical_force import CriticalForce
 from sim.force_agreement import ForceAgreement
 from sim.measurement import Measurement
-from sim.validate import Validation
+from sim.validation import Validation
 
 TABLE_ROWS = 3
 """Wrenches shown at either end of the table of measured caps."""

@@ -10,7 +10,7 @@ from planner.forces.problem import ForceProblem
 from planner.lift import in_space, lift_contacts, lift_vectors, lift_wrenches
 from planner.objects.extrusion import Slab
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.task import make_task
 from planner.verification import verify
 from tests.planner.objects.planar_objects import RECTANGLE, planar_object

@@ -14,7 +14,7 @@ from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from sim.protocol import ACTIVE, ValidationProtocol
-from sim.validate import Validation, validate
+from sim.validation import Validation, validate_contacts
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -44,7 +44,7 @@ class Planned:
     ) -> Validation:
         """Validation with rho and the simulated friction multiplied by their errors."""
         phi = self.phi
-        return validate(
+        return validate_contacts(
             rigid_object(*self.parts),
             self.contacts,
             self.reference_point,

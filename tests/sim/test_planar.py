@@ -14,13 +14,13 @@ from planner.objects.extrusion import extruded
 from planner.objects.object_file import read_object_file
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.task import make_task
 from sim.displacement import displaced_grasps
 from sim.experiment import set_up
 from sim.object_joints import FreeJoint, PlanarJoints, joints_of
 from sim.protocol import STRICT
-from sim.validate import Validation, validate
+from sim.validation import Validation, validate_contacts
 from sim.verdict import Verdict
 from tests.commands import ASSETS
 from tests.planner.objects.planar_objects import HOOK, planar_object
@@ -41,7 +41,7 @@ def planned(name: str, fingers: int) -> tuple[RigidObject, Grasp]:
 def validated(name: str, fingers: int, *, rho_error: float = 1.0, friction_error: float = 1.0) -> Validation:
     """Validation to half a percent with rho and the simulated friction multiplied by their errors."""
     slab, grasp = planned(name, fingers)
-    return validate(
+    return validate_contacts(
         slab,
         grasp.contacts,
         grasp.task.reference_point,

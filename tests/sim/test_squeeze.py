@@ -10,7 +10,7 @@ import pytest
 from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
 from planner.objects.mjcf import read_object
-from planner.plan import plan
+from planner.planning import plan
 from planner.task import make_task
 from sim.squeeze import SQUEEZE, SqueezeForce, measure_squeeze_force
 from sim.squeeze_file import FORMAT, SqueezeDocument, to_document, write_squeeze

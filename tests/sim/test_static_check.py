@@ -6,7 +6,7 @@ from planner.contacts import Contacts
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart
 from sim.protocol import ACTIVE
-from sim.validate import Validation, validate
+from sim.validation import Validation, validate_contacts
 from tests.sim.planned import box, prism, rigid_object
 
 BASE = box((0.04, 0.02, 0.004))
@@ -22,7 +22,7 @@ def held_at(top_x: float, *parts: ConvexPart) -> Validation:
     contacts = Contacts(points=points, normals=np.array([(0, 0, -1.0), (0, 0, 1.0)]), friction=np.full(2, 0.5))
     weight = np.array([[1.0, 0, 0, 0, 0, 0]])
     phi = np.array([0.5 * np.sqrt(1 + 1 / 0.5**2)])
-    return validate(rigid_object(*parts), contacts, np.array([top_x, 0, 0]), weight, float(phi[0]), 0, phi)
+    return validate_contacts(rigid_object(*parts), contacts, np.array([top_x, 0, 0]), weight, float(phi[0]), 0, phi)
 
 
 def test_a_pinch_away_from_the_corner_is_confirmed() -> None:
@@ -63,7 +63,7 @@ def test_a_contact_off_the_surface_is_caught() -> None:
     planned = prism()
     lifted = planned.contacts.points - 1e-6 * planned.contacts.normals
     contacts = Contacts(points=lifted, normals=planned.contacts.normals, friction=planned.contacts.friction)
-    validation = validate(
+    validation = validate_contacts(
         rigid_object(*planned.parts), contacts, planned.reference_point, planned.wrenches, 0.669, 0, np.ones(64)
     )
     assert len(validation.reasons) == 3

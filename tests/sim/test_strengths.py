@@ -15,7 +15,7 @@ from sim.feed_forward import FeedForward
 from sim.prediction import predicted_caps
 from sim.protocol import ACTIVE
 from sim.squeeze import measure_squeeze_force
-from sim.validate import Validation, validate_grasp
+from sim.validation import Validation, validate
 from sim.validation_file import to_document
 from sim.verdict import Verdict
 
@@ -32,7 +32,7 @@ def few_wrenches(grasp: Grasp, count: int) -> Grasp:
 
 @pytest.fixture(scope="module")
 def confirmed(prism: RigidObject, limited_grasp: Grasp) -> Validation:
-    return validate_grasp(prism, few_wrenches(limited_grasp, 12))
+    return validate(prism, few_wrenches(limited_grasp, 12))
 
 
 def test_a_grasp_planned_with_a_weak_finger_is_confirmed(confirmed: Validation) -> None:
@@ -59,7 +59,7 @@ def test_a_plan_that_ignores_the_weakness_is_refuted(
     strong = replace(limited_grasp.contacts, strength=None)
     phi = predicted_caps(strong, task.reference_point, task.wrenches)
     assert phi.max() == pytest.approx(golden_grasp.rho, rel=1e-6)
-    validation = validate_grasp(prism, few_wrenches(replace(limited_grasp, phi=phi), 12))
+    validation = validate(prism, few_wrenches(replace(limited_grasp, phi=phi), 12))
     assert validation.verdict is Verdict.FAIL
     assert any("not held" in reason for reason in validation.reasons)
 
@@ -72,7 +72,7 @@ def test_a_weak_finger_in_another_place_is_refuted(prism: RigidObject, limited_g
     task = replace(limited_grasp.task, wrenches=limited_grasp.task.wrenches[worst])
     forces, phi = limited_grasp.forces[worst], limited_grasp.phi[worst].copy()
     phi[0] = limited_grasp.rho  # what was planned
-    validation = validate_grasp(prism, replace(limited_grasp, contacts=swapped, task=task, phi=phi, forces=forces))
+    validation = validate(prism, replace(limited_grasp, contacts=swapped, task=task, phi=phi, forces=forces))
     assert validation.verdict is Verdict.FAIL
 
 
@@ -89,7 +89,7 @@ def test_a_strong_grasp_in_other_units_is_the_same_grasp(prism: RigidObject, lim
     contacts = replace(grasp.contacts, strength=3 * grasp.contacts.strengths)
     task = grasp.task
     np.testing.assert_allclose(predicted_caps(contacts, task.reference_point, task.wrenches), grasp.phi / 3, rtol=1e-6)
-    outcome = validate_grasp(prism, replace(grasp, contacts=contacts, phi=grasp.phi / 3)).vertices
+    outcome = validate(prism, replace(grasp, contacts=contacts, phi=grasp.phi / 3)).vertices
     assert outcome is not None
     assert outcome.held.all()
 
@@ -119,7 +119,7 @@ def test_modes_with_one_force_for_all_fingers_refuse(prism: RigidObject, limited
 def test_all_strengths_one_is_as_if_none_were_given(prism: RigidObject, golden_grasp: Grasp) -> None:
     grasp = few_wrenches(golden_grasp, 2)
     ones = replace(grasp, contacts=replace(grasp.contacts, strength=np.ones(3)))
-    plain, same = (validate_grasp(prism, each, ACTIVE).vertices for each in (grasp, ones))
+    plain, same = (validate(prism, each, ACTIVE).vertices for each in (grasp, ones))
     assert plain is not None
     assert same is not None
     np.testing.assert_array_equal(plain.slips, same.slips)

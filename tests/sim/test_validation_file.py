@@ -9,7 +9,7 @@ import pytest
 
 from planner.errors import OutputError
 from sim.protocol import ACTIVE
-from sim.validate import Validation
+from sim.validation import Validation
 from sim.validation_file import FORMAT, ValidationDocument, to_document, write_validation
 from sim.verdict import Verdict
 from tests.sim.planned import prism

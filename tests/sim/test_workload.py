@@ -6,7 +6,7 @@ import pytest
 
 from sim.critical_force import expected_simulations
 from sim.squeeze import measure_squeeze_force
-from sim.validate import validate
+from sim.validation import validate_contacts
 from sim.workload import Workload
 from tests.sim.planned import prism, rigid_object
 
@@ -38,7 +38,7 @@ def test_a_part_that_grows_makes_the_whole_grow() -> None:
 def test_a_validation_tells_how_far_it_is() -> None:
     few = replace(prism(), wrenches=prism().wrenches[::16])
     told: Told = []
-    validate(
+    validate_contacts(
         rigid_object(*few.parts),
         few.contacts,
         few.reference_point,

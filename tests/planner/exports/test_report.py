@@ -18,7 +18,7 @@ from planner.exports.report_page import report_page, write_report
 from planner.grasp import Grasp, TraceLine
 from planner.objects.object_file import read_object_file
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task

@@ -16,7 +16,7 @@ from planner.limits.table import table_height
 from planner.objects.mjcf import read_object
 from planner.objects.planar import read_planar
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem
 from planner.task import make_task

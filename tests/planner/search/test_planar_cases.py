@@ -7,7 +7,7 @@ import pytest
 
 from planner.candidates.choice import make_candidates
 from planner.objects.object_file import read_object_file
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
 from planner.search.paper import PaperSearch

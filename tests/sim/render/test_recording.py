@@ -12,7 +12,7 @@ from planner.errors import SettingError
 from planner.grasp import Grasp
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
-from planner.plan import plan
+from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import make_task
 from sim.protocol import ACTIVE

@@ -16,7 +16,7 @@ from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart
 from sim.protocol import STRICT
-from sim.validate import Validation
+from sim.validation import Validation
 from sim.verdict import Verdict
 from tests.sim.planned import Planned, prism, with_friction
 

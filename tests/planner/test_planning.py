@@ -13,7 +13,7 @@ from planner.forces.reference import ReferenceForces
 from planner.grasp import Grasp
 from planner.limits.limits import Box, Finger, Limits
 from planner.objects.rigid_object import RigidObject
-from planner.plan import MOST_TRACE_LINES, plan, recorded
+from planner.planning import MOST_TRACE_LINES, plan, recorded
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Progress
 from planner.task import Task, make_task

@@ -14,6 +14,8 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.grasp import Grasp
+from planner.lift import in_space
+from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
 from sim.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.control import Control
@@ -86,8 +88,8 @@ class Validation:
     """Of the packages that can change the outcome."""
 
 
-def validate_grasp(
-    rigid_object: RigidObject,
+def validate(
+    rigid_object: Graspable,
     grasp: Grasp,
     protocol: ValidationProtocol = ACTIVE,
     *,
@@ -95,11 +97,11 @@ def validate_grasp(
     thorough: bool = False,
     observe: Observe = lambda *_: None,
 ) -> Validation:
-    """Validate a planned grasp with the friction it was planned with; see `validate`.
+    """Validate a planned grasp with the friction it was planned with; see `validate_contacts`.
 
     Args:
         rigid_object: What the fingers hold.
-        grasp: In space, with contacts.
+        grasp: With contacts; of a planar object, validated as a slab.
         protocol: Settings and thresholds.
         measure: Bisect the cap of every wrench too.
         thorough: Load the grasp with more than the vertices too.
@@ -110,8 +112,9 @@ def validate_grasp(
     """
     if not grasp.found:
         raise SimulationError(f"there is no grasp to validate: the search ended with status {grasp.status}")
-    return validate(
-        rigid_object,
+    body, grasp = in_space(rigid_object, grasp)
+    return validate_contacts(
+        body,
         grasp.contacts,
         grasp.task.reference_point,
         grasp.task.wrenches,
@@ -125,7 +128,7 @@ def validate_grasp(
     )
 
 
-def validate(
+def validate_contacts(
     rigid_object: RigidObject,
     contacts: Contacts,
     reference_point: np.ndarray,
