@@ -28,6 +28,9 @@ BATCH = 2048
 ROUNDING = 1e-9
 """Relative slack for the rounding of a sum of a few numbers."""
 
+ROUND_OFF = 1e-14
+"""Of a cross product, relative to its factors: a few dozen times the spacing of floating point numbers."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class BoundCheck:
@@ -196,12 +199,17 @@ def _turning(
 ) -> np.ndarray:
     """Bounds on 1 / rho of one contact paired with others, from the moment about their line, shape (others,) [1/N].
 
-    A contact does at most s |v| along a direction that moves it with velocity v; here v is zero but for rounding.
+    A contact does at most s |v| along a direction that moves it with velocity v; here v is zero but for rounding, by
+    which it counts as larger and what is asked as smaller. So a moment that is zero but for rounding bounds nothing.
     """
     lines = np.where((arms == arm).all(axis=1, keepdims=True), [1.0, 0.0, 0.0], arms - arm)
     forces = np.cross(arm, lines)
+    lengths = np.linalg.norm(lines, axis=1)
+    products = lengths * (np.linalg.norm(arm) + np.linalg.norm(arms, axis=1))
+    largest_force, largest_moment = (np.linalg.norm(part, axis=1).max() for part in np.split(wrenches, 2, axis=1))
     asked = np.abs(forces @ wrenches[:, :3].T + lines @ wrenches[:, 3:].T).max(axis=1)
-    own = np.linalg.norm(forces + np.cross(lines, arm), axis=1)
-    other = np.linalg.norm(forces + np.cross(lines, arms), axis=1)
+    asked -= ROUND_OFF * (products * largest_force + lengths * largest_moment)
+    own = np.linalg.norm(forces + np.cross(lines, arm), axis=1) + ROUND_OFF * products
+    other = np.linalg.norm(forces + np.cross(lines, arms), axis=1) + ROUND_OFF * products
     done = strength * own + strengths * other
     return np.divide(done, asked, out=np.full(len(arms), np.inf), where=asked > 0)

@@ -11,7 +11,6 @@ Chosen by the name of a preset or by a TOML file:
     moment = 0.1
 """
 
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,14 +21,12 @@ import numpy as np
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.objects.graspable import Graspable
+from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.presets import PRESETS
 from planner.wrench_sets.values import finite_vector
 from planner.wrench_sets.wrench_set import WrenchSet
-
-MAX_FILE_BYTES = 1_000_000
-"""Largest task file: room for more vertices than are allowed."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -65,6 +62,9 @@ class Task:
             raise TaskError("every wrench of the task is zero: there is nothing to resist")
 
 
+PRESET_HINT = f"; the presets {', '.join(PRESETS)} need no file"
+
+
 class TaskFile(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A task file, before its set is known."""
 
@@ -87,7 +87,7 @@ def make_task(choice: str, object: Graspable) -> Task:
     if choice in PRESETS:
         preset = PRESETS[choice]().for_object(object, center)
         return Task(name=choice, reference_point=center, wrenches=preset.vertices())
-    file = _read(Path(choice))
+    file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT)
     try:
         stated = file.reference_point
         point = center if stated is None else finite_vector("reference_point", stated, (len(center),))
@@ -95,22 +95,6 @@ def make_task(choice: str, object: Graspable) -> Task:
         return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
     except TaskError as error:
         raise TaskError(f"task file {choice}: {error}") from error
-
-
-def _read(path: Path) -> TaskFile:
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: a path that no file can have
-        raise TaskError(
-            f"no task {str(path)!r}: neither one of the presets {', '.join(PRESETS)} nor a readable file ({error})"
-        ) from error
-    if len(content) > MAX_FILE_BYTES:
-        raise TaskError(f"task file {path} is longer than {MAX_FILE_BYTES} bytes")
-    try:
-        return msgspec.convert(tomllib.loads(content.decode()), TaskFile)
-    except (ValueError, RecursionError, msgspec.ValidationError) as error:  # ValueError: TOML and UTF-8
-        raise TaskError(f"task file {path}: {error}") from error
 
 
 def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> WrenchSet:

@@ -23,18 +23,13 @@ geoms = ["wall*"]             # only on these geoms
 within = {lower = [0, -1, -1], upper = [1, 1, 1]}  # only in this box [m]
 """
 
-import tomllib
 from pathlib import Path
-
-import msgspec
 
 from planner.errors import LimitsError
 from planner.limits.fit import require_fit
 from planner.limits.limits import Limits
 from planner.objects.graspable import Graspable
-
-MAX_FILE_BYTES = 1_000_000
-"""Largest limits file: room for thousands of boxes."""
+from planner.toml_file import read_toml
 
 
 def read_limits(path: Path, rigid_object: Graspable) -> Limits:
@@ -44,16 +39,9 @@ def read_limits(path: Path, rigid_object: Graspable) -> Limits:
         LimitsError: If the file cannot be read, has an unknown key or a value that is not allowed, or does not fit
             the object.
     """
+    limits = read_toml(path, Limits, "limits file", LimitsError)
     try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: a path that no file can have
-        raise LimitsError(f"the limits file '{path}' cannot be read: {error}") from error
-    if len(content) > MAX_FILE_BYTES:
-        raise LimitsError(f"limits file {path} is longer than {MAX_FILE_BYTES} bytes")
-    try:
-        limits = msgspec.convert(tomllib.loads(content.decode()), Limits)
         require_fit(limits, rigid_object)
-    except (LimitsError, ValueError, RecursionError, msgspec.ValidationError) as error:  # ValueError: TOML and UTF-8
-        raise LimitsError(f"limits file {path}: {error}") from error
+    except LimitsError as error:
+        raise LimitsError(f"'{path}' is not a limits file for this object: {error}") from error
     return limits

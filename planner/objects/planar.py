@@ -12,7 +12,6 @@ outline = [          # corners in order, in the body frame [m]
 ]
 """
 
-import tomllib
 from pathlib import Path
 from typing import Literal
 
@@ -24,9 +23,7 @@ from planner.objects.digest import digest
 from planner.objects.outline import Outline
 from planner.objects.planar_object import PlanarObject
 from planner.objects.simple_polygon import LARGEST, simple_polygon
-
-MAX_FILE_BYTES = 1_000_000
-"""Largest file: room for more corners than are allowed."""
+from planner.toml_file import read_toml
 
 THICKNESS = 0.1
 """Thickness where none is given, relative to the diagonal of the outline's bounding box."""
@@ -50,7 +47,7 @@ def read_planar(path: Path) -> PlanarObject:
         ObjectError: If the file cannot be read, is of another format, its outline is no simple polygon, or a size
             is not positive.
     """
-    file = _decode(path)
+    file = read_toml(path, PlanarFile, "planar object", ObjectError)
     try:
         corners = np.array(file.outline, dtype=float).reshape(-1, 2)
         outline = Outline(
@@ -69,22 +66,6 @@ def read_planar(path: Path) -> PlanarObject:
         )
     except ObjectError as error:
         raise ObjectError(f"planar object '{path}': {error}") from error
-
-
-def _decode(path: Path) -> PlanarFile:
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: a path that no file can have
-        raise ObjectError(f"the planar object '{path}' cannot be read: {error}") from error
-    if len(content) > MAX_FILE_BYTES:
-        raise ObjectError(f"'{path}' is longer than {MAX_FILE_BYTES} bytes; a planar object needs less")
-    try:
-        return msgspec.convert(tomllib.loads(content.decode()), PlanarFile)
-    except (ValueError, RecursionError, msgspec.ValidationError) as error:  # ValueError: TOML and UTF-8
-        raise ObjectError(
-            f"'{path}' is not a planar object (format = \"rhograsp.planar\", name, outline, mass, friction): {error}"
-        ) from error
 
 
 def _positive(name: str, value: float) -> float:

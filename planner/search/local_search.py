@@ -70,8 +70,9 @@ def best_swap(cuts: CutTable, subset: np.ndarray, slot: int, among: np.ndarray, 
     """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1."""
     problem = cuts.problem
     others = np.concatenate([subset[:slot], subset[slot + 1 :]])
-    allowed = among[problem.partners(others)[among] & (problem.kind[among] == problem.kind[subset[slot]])]
-    return best_partner(cuts.values, others, allowed, least)
+    if not problem.is_the_papers:
+        among = among[problem.partners(others)[among] & (problem.kind[among] == problem.kind[subset[slot]])]
+    return best_partner(cuts.values, others, among, least)
 
 
 def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:

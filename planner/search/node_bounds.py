@@ -74,8 +74,9 @@ class NodeBounds:
         columns = leaves_list(ward(self._cuts.values[self._spread][:, self._cut_of_column].T))
         self._cut_of_column, self._grouped = self._cut_of_column[columns], count
         self._maxima[:, :count] = self._maxima[:, columns]
-        blocks = self._maxima.reshape(len(self._maxima), -1, BLOCK)
-        self._block_minima = np.ascontiguousarray(blocks.min(axis=2))
+        self._block_minima = self._maxima[:, ::BLOCK].copy()
+        for place in range(1, BLOCK):
+            np.minimum(self._block_minima, self._maxima[:, place::BLOCK], out=self._block_minima)
 
     def bound(self, rows: np.ndarray, bounds: np.ndarray, threshold: float) -> np.ndarray:
         """Upper bounds on 1 / rho of the rows [1/N].

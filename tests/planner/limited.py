@@ -7,6 +7,7 @@ from math import dist
 
 import numpy as np
 
+from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
@@ -35,6 +36,29 @@ def limited_problem(seed: int) -> SearchProblem:
     )
     contacts = free.contacts.subset(np.concatenate(shares))
     return replace(free, contacts=contacts, kinds=kinds, spacing=spacing, span=span)
+
+
+def opposite_problem(seed: int) -> SearchProblem:
+    """Two fingers in space on opposite points of an ellipsoid, against forces at its centre: pairs that can hold it."""
+    generator = np.random.default_rng([seed, 2])
+    axes = generator.uniform(0.5, 2.0, 3)
+    sphere = generator.normal(size=(5, 3))
+    sphere /= np.linalg.norm(sphere, axis=1, keepdims=True)
+    sphere = np.concatenate([sphere, -sphere])
+    normals = -sphere / axes
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    contacts = Contacts(points=sphere * axes, normals=normals, friction=generator.uniform(0.8, 1.5, 10))
+    kinds = (FingerKind(fingers=1, candidates=4, strength=0.5), FingerKind(fingers=1, candidates=6))
+    lengths = 2 * np.linalg.norm(contacts.points[:5], axis=1)
+    return SearchProblem(
+        contacts=contacts,
+        fingers=2,
+        reference_point=np.zeros(3),
+        wrenches=np.hstack([generator.normal(size=(3, 3)), np.zeros((3, 3))]),
+        kinds=() if seed % 3 else kinds,
+        spacing=0.999 * float(np.sort(lengths)[3]) if seed % 3 == 1 else 0.0,
+        span=1.001 * float(np.sort(lengths)[1]) if seed % 3 == 2 else np.inf,
+    )
 
 
 def certified(problem: SearchProblem) -> tuple[Certificate, float]:

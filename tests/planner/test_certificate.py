@@ -12,6 +12,8 @@ from planner.certificate import capacities, check_bound
 from planner.contacts import grasp_maps
 from planner.errors import CandidateError
 from planner.forces.minimax import MinimaxForces
+from planner.forces.problem import ForceProblem
+from planner.forces.reference import ReferenceForces
 from planner.friction_cone import support
 from planner.grasp import Certificate
 from planner.search.certified import CertifiedSearch
@@ -19,7 +21,7 @@ from planner.search.exhaustive import exhaustive_search
 from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem
 from tests.planner import limited
-from tests.planner.limited import allowed, least_level, limited_problem
+from tests.planner.limited import allowed, least_level, limited_problem, opposite_problem
 from tests.planner.search.instances import random_problem
 
 SEEDS = range(60)
@@ -155,8 +157,55 @@ def stronger(problem: SearchProblem) -> SearchProblem:
     return replace(problem, kinds=(replace(first, strength=1.5 * first.strength), *others))
 
 
-def test_coinciding_candidates_are_told_apart() -> None:
+def opposite_pairs(problem: SearchProblem) -> tuple[float, np.ndarray]:
+    """Least rho of the pairs on opposite points [N], and the direction that proves each one's, shape (pairs, D)."""
+    solver, least, directions = ReferenceForces(2, 3), np.inf, []
+    contacts = replace(problem.contacts, strength=problem.strengths)
+    for pair in ((i, i + 5) for i in range(5)):
+        if allowed(problem, pair):
+            grasp = contacts.subset(np.array(pair))
+            solutions = [
+                solver.solve(ForceProblem(contacts=grasp, reference_point=problem.reference_point, wrench=wrench))
+                for wrench in problem.wrenches
+            ]
+            worst = max(solutions, key=lambda solution: solution.phi)
+            least = min(least, worst.phi)
+            directions.append(worst.direction)
+    return least, np.array(directions)
+
+
+def test_of_two_fingers_in_space_exactly_the_pairs_that_can_hold_need_cuts() -> None:
+    """No contact is strong along a line through both; the moments of opposite pairs are zero but for rounding."""
+    looser_is_better = 0
+    for problem in map(opposite_problem, range(30)):
+        rho, cuts = opposite_pairs(problem)
+        certificate = Certificate(
+            candidates=problem.contacts, cuts=cuts, kinds=problem.kinds, spacing=problem.spacing, span=problem.span
+        )
+        assert holds(problem, certificate, rho * (1 - 1e-5))
+        assert not holds(problem, certificate, rho * (1 + 1e-5))
+        free = replace(problem, spacing=0.0, span=np.inf, kinds=())
+        if opposite_pairs(free)[0] < rho * (1 - 1e-3):
+            looser = replace(certificate, spacing=0.0, span=np.inf, kinds=())
+            assert not holds(free, looser, rho * (1 - 1e-5))
+            looser_is_better += 1
+    assert looser_is_better >= 10
+
+
+def test_two_fingers_of_two_kinds_never_take_two_candidates_of_one() -> None:
+    """Opposite points, which alone can hold, are of one kind here; so without a single cut nothing is needed."""
+    kinds = FingerKind(fingers=1, candidates=6), FingerKind(fingers=1, candidates=4)
+    for problem in map(opposite_problem, range(10)):
+        contacts = problem.contacts.subset(np.array([0, 5, 1, 6, 2, 7, 3, 8, 4, 9]))
+        certificate = Certificate(candidates=contacts, cuts=np.empty((0, 6)), kinds=kinds)
+        assert holds(problem, certificate, 1e4)
+        assert not holds(problem, replace(certificate, kinds=()), 1e4)
+
+
+@pytest.mark.parametrize("most_enumerated", [module.MOST_ENUMERATED, 0])
+def test_coinciding_candidates_are_told_apart(most_enumerated: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Groups that cannot be split by position: by count, down to single candidates."""
+    monkeypatch.setattr(module, "MOST_ENUMERATED", most_enumerated)
     problem, certificate, bound = certified(4)
     repeated = problem.contacts.subset(np.repeat(np.arange(len(problem.contacts)), 3))
     many = Certificate(candidates=repeated, cuts=certificate.cuts)

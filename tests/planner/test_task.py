@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from planner.errors import TaskError
-from planner.task import MAX_FILE_BYTES, Task, make_task
+from planner.task import Task, make_task
+from planner.toml_file import MAX_FILE_BYTES
 from planner.wrench_sets.cylinder import Cylinder
 from tests.planner.wrench_sets.brick import brick
 

@@ -15,7 +15,7 @@ def best_partner(values: np.ndarray, chosen: np.ndarray, among: np.ndarray, leas
     Args:
         values: a_i(lambda_k), shape (n, cuts) [1/N].
         chosen: The candidates it joins.
-        among: Candidates that may be taken.
+        among: Candidates that may be taken, except the chosen ones.
         least: What the smallest sum must exceed [1/N].
     """
     cuts = values.shape[1]
@@ -31,6 +31,11 @@ def best_partner(values: np.ndarray, chosen: np.ndarray, among: np.ndarray, leas
         first[place] = smallest
     best, score = -1, least
     for i in among:
+        taken = False
+        for j in chosen:
+            taken = taken or j == i
+        if taken:
+            continue
         worst = np.inf
         for cut in first:
             worst = min(worst, base[cut] + values[i, cut])

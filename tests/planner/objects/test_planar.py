@@ -7,9 +7,10 @@ import pytest
 
 from planner.errors import ObjectError
 from planner.objects.object_file import read_object_file
-from planner.objects.planar import MAX_FILE_BYTES, read_planar
+from planner.objects.planar import read_planar
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
+from planner.toml_file import MAX_FILE_BYTES
 from tests.commands import PRISM
 from tests.planner.objects.mjcf_files import written
 

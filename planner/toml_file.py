@@ -1,0 +1,40 @@
+"""Reading a TOML file into a struct: bounded, with every way it can fail said as an error of the caller's kind."""
+
+import tomllib
+from pathlib import Path
+from typing import TypeVar
+
+import msgspec
+
+from planner.errors import RhograspError
+
+MAX_FILE_BYTES = 1_000_000
+"""Largest file: room for tens of thousands of numbers."""
+
+T = TypeVar("T")
+
+
+def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError], hint: str = "") -> T:
+    """The content of a TOML file.
+
+    Args:
+        path: The file.
+        struct: What it must hold, a msgspec struct.
+        name: What such a file is called, for the messages.
+        error: Kind of error to raise.
+        hint: What else a user may have meant, where there is no such file.
+
+    Raises:
+        RhograspError: Of the given kind, if the file cannot be read, is too long, is not TOML, or does not fit.
+    """
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MAX_FILE_BYTES + 1)
+    except (OSError, ValueError) as cause:  # ValueError: a path that no file can have
+        raise error(f"the {name} '{path}' cannot be read: {cause}{hint}") from cause
+    if len(content) > MAX_FILE_BYTES:
+        raise error(f"the {name} '{path}' is longer than {MAX_FILE_BYTES} bytes")
+    try:
+        return msgspec.convert(tomllib.loads(content.decode()), struct)
+    except (ValueError, RecursionError, msgspec.ValidationError, RhograspError) as cause:  # ValueError: TOML, UTF-8
+        raise error(f"'{path}' is not a {name}: {cause}") from cause
