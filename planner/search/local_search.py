@@ -15,7 +15,7 @@ from planner.search.evaluation import Evaluation, Evaluator
 from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
 from planner.search.problem import SearchProblem
 
-STARTS = 1
+STARTS = 2
 """Independent climbs; the search tree repairs what they miss."""
 
 MOST_STEPS = 300
