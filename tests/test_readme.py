@@ -21,20 +21,25 @@ def blocks(language: str) -> list[str]:
 def test_every_grasp_command_of_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "assets").symlink_to(ROOT / "assets")
     monkeypatch.chdir(tmp_path)
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
     commands = [command.strip() for block in blocks("sh") for command in block.split("&&") if "bin/grasp-" in command]
     assert len(commands) >= 2
     for command in commands:
         name, *arguments = shlex.split(command)
         assert run(Path(name).name, *arguments) == 0, command
+    assert opened == [(tmp_path / "prism.report.html").resolve().as_uri()]
 
 
 def test_the_python_example_of_the_readme_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(ROOT)
+    (tmp_path / "assets").symlink_to(ROOT / "assets")
+    monkeypatch.chdir(tmp_path)
     (example,) = blocks("python")
     exec(compile(example, "README.md", "exec"), {})
-    assert re.match(r"\d+\.\d+ N, proven to 0\.\d+%", capsys.readouterr().out)
+    assert re.search(r"^\d+\.\d+ N, proven to 0\.\d+%.*^True pass$", capsys.readouterr().out, re.MULTILINE | re.DOTALL)
+    assert (tmp_path / "mug.grasp.json").is_file()
 
 
 def test_ci_runs_the_readmes_test_command() -> None:

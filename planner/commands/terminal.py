@@ -53,7 +53,11 @@ Options = TypeVar("Options")
 
 def parse(options: type[Options], program: str) -> Options:
     """The command line as a dataclass; its docstring and the exit codes are the help's first lines."""
-    return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
+    try:
+        return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
+    except BrokenPipeError:  # the reader of the help has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise SystemExit(ExitCode.DONE) from None
 
 
 def write_json(console: Console, document: object) -> None:

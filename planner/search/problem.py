@@ -78,6 +78,10 @@ class SearchProblem:
             raise TaskError("the required external force set holds only the zero wrench; it asks for no force")
 
     def _check_limits(self) -> None:
+        if self.contacts.strength is not None:
+            raise CandidateError(
+                "candidates have no strength of their own; say how strong their fingers are in `kinds`"
+            )
         if not 0 <= self.spacing < np.inf or not self.span > 0 or self.spacing > self.span:
             raise CandidateError(
                 f"spacing {self.spacing} m and span {self.span} m; the least distance between two contacts must be 0 "

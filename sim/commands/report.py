@@ -1,5 +1,6 @@
 """`grasp-report`: a grasp, its proof and its measurement as one HTML page that works offline."""
 
+import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,6 +30,9 @@ class Options:
     object: Path | None = None
     """Where the object's file is now, if it has moved, for a single file."""
 
+    open: bool = False
+    """Open the page in a browser."""
+
 
 def report_command(options: Options) -> ExitCode:
     """Write one page per file and say so."""
@@ -43,6 +47,8 @@ def report_command(options: Options) -> ExitCode:
         out = options.out or Path(f"{file.name.removesuffix(SUFFIX)}.report.html")
         note = _report(file, out, options.validation, options.object)
         print(f"wrote       {out}{note}")
+        if options.open:
+            webbrowser.open(out.resolve().as_uri())
     return ExitCode.DONE
 
 

@@ -132,7 +132,7 @@ def test_key_names_are_the_contract(golden_file: Path) -> None:
     assert {"seconds", "nodes", "open", "lower_bound", "incumbent", "socp_solves", "cuts"} == set(
         document["search"]["trace"][0]
     )
-    assert {"candidates", "friction", "fingertip", "seed"} == set(document["candidate_choice"])
+    assert {"candidates", "friction", "friction_error", "fingertip", "seed"} == set(document["candidate_choice"])
     assert {"version", "packages", "command"} <= set(document["planner"])
     assert document["format"] == "rhograsp.grasp"
     with np.load(golden_file.parent / document["certificate"]["file"]) as arrays:

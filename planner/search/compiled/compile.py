@@ -2,12 +2,19 @@
 
 import logging
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from numba import njit
 
 logger = logging.getLogger(__name__)
+
+
+@cache
+def _announce() -> None:
+    """Said once, however many functions follow."""
+    logger.info("compiling the search, once on this machine; a few seconds")
 
 
 def compiled(signature: str, reorder: bool = False) -> Callable[[Callable[..., Any]], Any]:
@@ -22,7 +29,7 @@ def compiled(signature: str, reorder: bool = False) -> Callable[[Callable[..., A
     def compile_(function: Callable[..., Any]) -> Any:
         kept = Path(function.__code__.co_filename).parent / "__pycache__"
         if not any(kept.glob(f"*{function.__name__}*.nbi")):
-            logger.info("compiling the search, once on this machine; a few seconds")
+            _announce()
         try:
             return njit(signature, cache=True, nogil=True, fastmath=reorder)(function)
         except RuntimeError:  # neither the package's folder nor the user's cache can be written

@@ -7,10 +7,12 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
+from planner.certificate import check_bound
 from planner.contacts import Contacts
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
+from planner.grasp import Certificate
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
@@ -18,6 +20,7 @@ from planner.search.finger_kind import FingerKind
 from planner.search.paper import PaperSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
+from tests.planner.limited import opposite_problem
 from tests.planner.search.instances import random_problem
 
 GAP = 1e-3
@@ -129,6 +132,22 @@ def test_two_fingers_of_two_kinds_agree_with_all_pairs() -> None:
     best = least_level(problem, lambda _, pair: pair[0] < 6 <= pair[1])
     assert assert_best(problem, best)
     assert best > 1.01 * CertifiedSearch(gap=GAP).run(free).rho  # the kinds matter
+
+
+def test_pairs_whose_moment_is_zero_but_for_rounding_are_not_pruned_and_every_bound_is_proven() -> None:
+    for seed in range(60):
+        problem = opposite_problem(seed)
+        result, best = CertifiedSearch(gap=GAP).run(problem), exhaustive_search(problem)
+        assert result.rho == pytest.approx(np.inf if best is None else best.rho, rel=GAP * 1.01), seed
+        certificate = Certificate(
+            candidates=problem.contacts,
+            cuts=result.directions,
+            kinds=problem.kinds,
+            spacing=problem.least_distance,
+            span=problem.span,
+        )
+        bound = result.lower_bound * (1 - 1e-9)
+        assert check_bound(certificate, 2, problem.reference_point, problem.wrenches, bound).proven, seed
 
 
 def test_with_position_error_rho_is_the_worst_of_all_shifts() -> None:
