@@ -238,3 +238,12 @@ def test_the_other_modes_test_measure_and_label_something_else(
         assert json.loads((tmp_path / "golden.bench.json").read_text())["format"] == "rhograsp.bench"
     assert run("grasp-validate", golden_file, "--mode", "graspdatagen", "--squeeze", -1) == 1
     assert says(capsys.readouterr().err, "squeeze is -1")
+
+
+def test_a_reader_that_has_seen_enough_meets_no_traceback(tmp_path: Path) -> None:
+    command = (
+        f"{sys.executable} {ROOT / 'scripts' / 'plan.py'} {PRISM} --candidates 20 --out {tmp_path / 'a.json'} | head -1"
+    )
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.count("\n") == 1
+    assert "Traceback" not in done.stderr

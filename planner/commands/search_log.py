@@ -61,7 +61,8 @@ class SearchLog:
     def observe(self, line: Progress) -> None:
         """What the search has to say."""
         self._last, self._heard = line, perf_counter()
-        due = self._printed is None or line.seconds >= 2 * self._printed.seconds + 0.5
+        last = self._printed
+        due = last is None or line.incumbent < last.incumbent or line.seconds >= 2 * last.seconds + 0.5
         if due:
             self._print(line)
         if due or line.seconds >= self._record_at:

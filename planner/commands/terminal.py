@@ -55,9 +55,8 @@ def parse(options: type[Options], program: str) -> Options:
     """The command line as a dataclass; its docstring and the exit codes are the help's first lines."""
     try:
         return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
-    except BrokenPipeError:  # the reader of the help has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise SystemExit(ExitCode.DONE) from None
+    except BrokenPipeError:
+        sys.exit(_unread())
 
 
 def write_json(console: Console, document: object) -> None:
@@ -107,9 +106,17 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
             code = ExitCode.ERROR
         except KeyboardInterrupt:
             code = INTERRUPTED
+        except BrokenPipeError:
+            code = _unread()
         finally:
             console.clear()
     sys.exit(code)
+
+
+def _unread() -> int:
+    """Whoever read standard output, `head` for example, has seen enough: say no more, and what shells expect."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 128 + signal.SIGPIPE
 
 
 @contextmanager

@@ -39,10 +39,7 @@ class Apart:
         Args:
             rows: Node numbers, shape (rows, m).
         """
-        possible = np.ones(len(rows), dtype=bool)
-        for farthest in self._farthest:
-            possible &= farthest[rows].max(axis=1) >= self._apart
-        return possible
+        return self._far(self._farthest, rows)
 
     def admit(self, subsets: np.ndarray) -> np.ndarray:
         """Which subsets are unlike all earlier grasps, shape (subsets,).
@@ -50,7 +47,11 @@ class Apart:
         Args:
             subsets: Candidate indices, shape (subsets, m).
         """
-        admitted = np.ones(len(subsets), dtype=bool)
-        for distances in self._distances:
-            admitted &= distances[subsets].max(axis=1) >= self._apart
-        return admitted
+        return self._far(self._distances, subsets)
+
+    def _far(self, distances: list[np.ndarray], chosen: np.ndarray) -> np.ndarray:
+        """Where one of the chosen is far enough from each earlier grasp, shape (rows,)."""
+        far = np.ones(len(chosen), dtype=bool)
+        for each in distances:
+            far &= each[chosen].max(axis=1) >= self._apart
+        return far

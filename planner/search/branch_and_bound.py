@@ -31,6 +31,12 @@ from planner.search.two_fingers import line_bounds, pairs
 FEW = 256
 """Candidates that a local search begins with: neighbours in the tree are represented by one of them."""
 
+LOG_GROWTH = 1.02
+"""Lines of the log are at least this factor of time apart, so that a long search has hundreds of them, not millions."""
+
+LOG_PAUSE = 0.1
+"""And at least this time, where nothing better was found [s]."""
+
 BATCH = 512
 """Rows split together."""
 
@@ -104,8 +110,7 @@ class BranchAndBound:
             if status := self.halted():
                 return status
             self.advance()
-            if time.perf_counter() - self.began > 2 * self.trace[-1].seconds + 0.5:
-                self.log()
+            self.log_if_due()
         return self.proven_status()
 
     def search_pairs(self) -> Status:
@@ -142,6 +147,7 @@ class BranchAndBound:
             if subset is None:
                 return
             self.climb(self.climb(subset, few))
+            self.log_if_due()
 
     def climb(self, subset: np.ndarray, among: np.ndarray | None = None) -> np.ndarray:
         """Local search from a subset, near it or among the given candidates; returns where it ended."""
@@ -204,6 +210,13 @@ class BranchAndBound:
             weakest = max(weakest, self.cuts.bound(self.incumbents.best.subset)[0])
         ceiling = self.problem.force_ceiling
         return min(1 / weakest, ceiling) if weakest > 0 else ceiling
+
+    def log_if_due(self) -> None:
+        """Add a line to the log when there is a better grasp, and otherwise ever more rarely."""
+        last = self.trace[-1] if self.trace else None
+        due = last is None or time.perf_counter() - self.began > LOG_GROWTH * last.seconds + LOG_PAUSE
+        if due or (last is not None and self.incumbents.rho < last.incumbent):
+            self.log()
 
     def log(self) -> None:
         line = Progress(

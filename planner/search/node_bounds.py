@@ -99,7 +99,7 @@ class NodeBounds:
         list(self._threads.map(bound_some, _shares(len(rows))))
         killers = np.unique(columns[lowered <= pruned_at])
         self.useful.update(self._cut_of_column[killers].tolist())
-        return np.minimum(lowered, bounds)
+        return np.where(lowered < NO_BOUND, np.minimum(lowered, bounds), bounds)
 
     def kills(self, rows: np.ndarray, threshold: float) -> np.ndarray:
         """Which cuts prune which rows, shape (rows, cuts).

@@ -72,7 +72,8 @@ def bound_rows(
 ) -> None:
     """Lower the bounds of rows until a cut prunes them or no cut can.
 
-    Only blocks whose minima sum to the threshold or less are read: no cut of the others can prune.
+    Only blocks whose minima sum to the threshold or less are read, no cut of the others can prune; where there is none,
+    the most promising one is read for the bound it gives.
 
     Args:
         maxima: U, shape (nodes, at least blocks * BLOCK) [1/N].
@@ -88,9 +89,15 @@ def bound_rows(
     for row in range(len(rows)):
         nodes = rows[row]
         _add_up(block_minima, nodes, 0, blocks, promise)
+        most_promising, read = 0, False
         for block in range(blocks):
-            if promise[block] > threshold:
+            if promise[block] < promise[most_promising]:
+                most_promising = block
+        for turn in range(blocks + 1):
+            block = turn if turn < blocks else most_promising  # read for its bound, where no other block was
+            if (promise[block] > threshold) if turn < blocks else read:
                 continue
+            read = True
             first = block * BLOCK
             _add_up(maxima, nodes, first, BLOCK, sums)
             least = sums[0]
