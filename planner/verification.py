@@ -7,6 +7,7 @@ problem; the bound by the cuts of the certificate (`planner.certificate`).
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
+from time import perf_counter
 
 import numpy as np
 
@@ -159,8 +160,9 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
         observe("subsets bounded by the cuts", count, subsets)
 
     settled(0)
+    began = perf_counter()
     check = check_bound(certificate, search.fingers, task.reference_point, task.wrenches, grasp.lower_bound, settled)
-    detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method}"
+    detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method} in {perf_counter() - began:.2g} s"
     if check.counterexample:
         detail += f"; no cut covers subset {check.counterexample}"
     return Check(claim=claim, holds=check.proven, detail=detail)
