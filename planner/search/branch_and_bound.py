@@ -10,6 +10,7 @@ When no row is open, no subset beats the level, and the cuts that pruned are the
 
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -76,12 +77,13 @@ class BranchAndBound:
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
         self.frontier.push(self.tree.first_row[None], np.array([np.inf]))
+        admits = partial(_admits, self.apart)  # without self: the tables go as soon as the search is over
         self.incumbents = Incumbents(
             problem.force_ceiling,
             method.gap,
             method.keep,
             method.within,
-            lambda subset: bool(self.apart.admit(subset[None])[0]),
+            admits,
         )
         self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
         self.nodes = 0
@@ -251,3 +253,7 @@ class BranchAndBound:
             directions=self.cuts.directions[sorted(self.bounds.useful)],
             trace=tuple(self.trace),
         )
+
+
+def _admits(apart: Apart, subset: np.ndarray) -> bool:
+    return bool(apart.admit(subset[None])[0])
