@@ -57,7 +57,7 @@ def test_tables_say_force_and_share_of_friction_of_every_finger(prism_subject: S
     assert "0.682 N" in measured_forces(playback, poses)  # the strongest finger is at its cap
     assert "rho: the critical wrench" in asked(prism_subject, grasp.critical_wrench)
     assert "critical" not in asked(prism_subject, 0)
-    assert "**rho = 0.669 N** (optimal, gap 0.1" in about(grasp)
+    assert f"**rho = 0.669 N** (optimal, gap {100 * grasp.gap:.1g}%)" in about(grasp)
 
 
 def test_a_message_cannot_become_markup() -> None:
