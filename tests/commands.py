@@ -1,6 +1,7 @@
 """Run the project's commands as a user types them, in this process."""
 
 import re
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -32,6 +33,19 @@ def run(command: str, *arguments: object) -> int:
         patch.setattr(sys, "argv", [command, *map(str, arguments)])
         MAINS[command]()
     return int(left.value.code or 0)
+
+
+def heavy_after_help(script: str, *suspects: str) -> tuple[list[str], str]:
+    """Which of the suspects a script's --help imports, and what it prints."""
+    code = (
+        "import sys, runpy; sys.argv = ['x', '--help']\n"
+        f"try: runpy.run_path({str(ROOT / 'scripts' / f'{script}.py')!r}, run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        f"print('HEAVY', *sorted({set(suspects)!r} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    printed, heavy = done.stdout.rsplit("HEAVY", 1)
+    return heavy.split(), printed
 
 
 def says(text: str, pattern: str) -> bool:

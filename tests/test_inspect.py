@@ -1,8 +1,6 @@
 """`grasp-inspect` and the options of `grasp-plan` for real objects, as users meet them."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -10,7 +8,7 @@ import pytest
 from planner.grasp_file import read_grasp
 from planner.grasped_object import read_grasped_object
 from planner.objects.rigid_object import RigidObject
-from tests.commands import ASSETS, PRISM, ROOT, run, says
+from tests.commands import ASSETS, PRISM, heavy_after_help, run, says
 from tests.planner.objects.cup import box_cup, mesh_cup
 
 
@@ -94,12 +92,6 @@ def test_the_plan_says_whose_friction_it_took_and_what_it_dropped(
 
 
 def test_the_script_is_the_command_and_its_help_loads_nothing_heavy() -> None:
-    code = (
-        "import sys, runpy; sys.argv = ['x', '--help']\n"
-        f"try: runpy.run_path({str(ROOT / 'scripts' / 'inspect_object.py')!r}, run_name='__main__')\n"
-        "except SystemExit: pass\n"
-        "print('HEAVY', sorted({'mujoco', 'scipy', 'trimesh', 'matplotlib'} & set(sys.modules)))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
-    assert "HEAVY []" in done.stdout
-    assert says(done.stdout, "What does the planner see")
+    heavy, printed = heavy_after_help("inspect_object", "mujoco", "scipy", "trimesh", "matplotlib")
+    assert not heavy
+    assert says(printed, "What does the planner see")
