@@ -76,12 +76,36 @@ def plan_several(
         LimitsError: When the limits do not fit the object, the number of fingers or the candidates.
         TaskError: When the task asks for nothing.
     """
-    search, limits = search or CertifiedSearch(), limits or Limits()
+    limits = limits or Limits()
     allowed = restricted(rigid_object, candidates, limits).candidates
     kinds = finger_kinds(rigid_object, allowed, fingers, limits)
+    return plan_within(rigid_object, task, kinds, limits, search, observe, stop)
+
+
+def plan_within(
+    rigid_object: Graspable,
+    task: Task,
+    kinds: Kinds,
+    limits: Limits,
+    search: CertifiedSearch | None = None,
+    observe: Callable[[Progress], None] = lambda _: None,
+    stop: Callable[[], bool] = lambda: False,
+) -> tuple[Grasp, ...]:
+    """`plan_several` for callers that have asked the limits already which candidates are for which fingers.
+
+    Args:
+        rigid_object: What is grasped.
+        task: The wrenches it must be held against.
+        kinds: The fingers and their candidates.
+        limits: Of these, spacing and span are still to be kept.
+        search: See `plan_several`.
+        observe: See `plan_several`.
+        stop: See `plan_several`.
+    """
+    search = search or CertifiedSearch()
     problem = SearchProblem(
         contacts=kinds.candidates.contacts,
-        fingers=fingers,
+        fingers=len(kinds.of_finger),
         reference_point=task.reference_point,
         wrenches=task.wrenches,
         kinds=kinds.kinds,
@@ -132,16 +156,22 @@ def _grasp(
             gap=search.gap,
             trace=recorded(result.trace),
         ),
-        certificate=Certificate(
-            candidates=problem.contacts,
-            cuts=result.directions,
-            kinds=problem.kinds,
-            spacing=problem.least_distance,
-            span=problem.span,
-        ),
+        certificate=certificate_of(result),
         packages={name: version(name) for name in PACKAGES},
         given=rigid_object.given if isinstance(rigid_object, RigidObject) else NOTHING_GIVEN,
         candidate_choice=candidates.choice,
+    )
+
+
+def certificate_of(result: SearchResult) -> Certificate:
+    """What anyone needs to check the bound of a search."""
+    problem = result.problem
+    return Certificate(
+        candidates=problem.contacts,
+        cuts=result.directions,
+        kinds=problem.kinds,
+        spacing=problem.least_distance,
+        span=problem.span,
     )
 
 

@@ -13,6 +13,7 @@ from planner.limits.fingers import finger_masks, require_finger_count
 from planner.limits.limits import Limits
 from planner.objects.graspable import Graspable
 from planner.search.finger_kind import FingerKind
+from planner.search.problem import require_finger_number
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -52,8 +53,9 @@ def finger_kinds(rigid_object: Graspable, candidates: Candidates, fingers: int, 
     Raises:
         LimitsError: If there are tables [[finger]], and not one for every finger; or if no two candidates keep
             spacing and span.
-        CandidateError: If a kind has fewer candidates than fingers.
+        CandidateError: If a kind has fewer candidates than fingers, or the number of fingers is out of range.
     """
+    require_finger_number(fingers)
     require_finger_count(limits, fingers)
     require_room(candidates, fingers, limits)
     alike = np.zeros(fingers, dtype=np.int64)

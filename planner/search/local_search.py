@@ -86,10 +86,9 @@ def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:
 
 def random_subset(problem: SearchProblem, generator: np.random.Generator) -> np.ndarray | None:
     """A random subset with the right kinds of fingers, spacing and span, shape (m,); None if none was met."""
-    kinds = np.repeat(np.arange(len(problem.all_kinds)), [kind.fingers for kind in problem.all_kinds])
     for _ in range(DRAWS):
         chosen = np.empty(0, dtype=np.int64)
-        for kind in kinds:
+        for kind in problem.kind_of_finger:
             allowed = np.flatnonzero(problem.partners(chosen) & (problem.kind == kind))
             if not len(allowed):
                 break

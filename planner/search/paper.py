@@ -57,7 +57,7 @@ class PaperSearch:
         """
         if not problem.is_the_papers:
             raise CandidateError(
-                "the paper's search knows neither kinds of fingers nor distances between contacts; "
+                "the paper's search knows neither kinds of fingers nor distances between contacts nor position errors; "
                 "use the certified search"
             )
         if problem.subsets > MOST_SUBSETS:

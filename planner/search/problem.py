@@ -61,8 +61,7 @@ class SearchProblem:
     plane along the edge), each finger on its own; the facet is taken as flat."""
 
     def __post_init__(self) -> None:
-        if not 1 <= self.fingers <= MOST_FINGERS:
-            raise CandidateError(f"{self.fingers} fingers; allowed are 1 to {MOST_FINGERS}")
+        require_finger_number(self.fingers)
         if self.fingers > len(self.contacts):
             raise CandidateError(
                 f"{self.fingers} fingers but only {len(self.contacts)} candidate contacts; "
@@ -113,6 +112,11 @@ class SearchProblem:
         """Kinds of fingers, at least one."""
         return self.kinds or (FingerKind(fingers=self.fingers, candidates=len(self.contacts)),)
 
+    @property
+    def kind_of_finger(self) -> np.ndarray:
+        """Which kind each finger is of, shape (m,)."""
+        return np.repeat(np.arange(len(self.all_kinds)), [kind.fingers for kind in self.all_kinds])
+
     @cached_property
     def kind(self) -> np.ndarray:
         """Which kind of finger each candidate is for, shape (n,)."""
@@ -135,8 +139,8 @@ class SearchProblem:
 
     @property
     def is_the_papers(self) -> bool:
-        """Whether all fingers are alike and may be at any distance from each other."""
-        return not self.kinds and not self.pairs_are_limited
+        """Whether all fingers are alike, meet their contacts, and may be at any distance from each other."""
+        return not self.kinds and not self.pairs_are_limited and not self.position_error
 
     def admits(self, subset: np.ndarray) -> bool:
         """Whether a subset of candidates, shape (m,), has the right kinds of fingers, spacing and span."""
@@ -206,3 +210,13 @@ class SearchProblem:
         scale = np.ones(self.wrenches.shape[1])
         scale[self.contacts.dimension :] /= self.length
         return 1e4 * float(np.abs(self.wrenches * scale).max())
+
+
+def require_finger_number(fingers: int) -> None:
+    """Refuse numbers of fingers that no search takes.
+
+    Raises:
+        CandidateError: If there are fewer than one or more than MOST_FINGERS.
+    """
+    if not 1 <= fingers <= MOST_FINGERS:
+        raise CandidateError(f"{fingers} fingers; allowed are 1 to {MOST_FINGERS}")

@@ -89,7 +89,7 @@ def build_tree(problem: SearchProblem) -> CandidateTree:
         stop=stop,
         left=left,
         diameters=diameter,
-        first_row=np.repeat(np.arange(len(problem.all_kinds)), [kind.fingers for kind in problem.all_kinds]),
+        first_row=problem.kind_of_finger,
     )
 
 

@@ -12,6 +12,7 @@ from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Certificate
+from planner.planning import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem
@@ -64,14 +65,7 @@ def opposite_problem(seed: int) -> SearchProblem:
 def certified(problem: SearchProblem) -> tuple[Certificate, float]:
     """The search's certificate and its bound."""
     result = CertifiedSearch(gap=1e-4).run(problem)
-    certificate = Certificate(
-        candidates=problem.contacts,
-        cuts=result.directions,
-        kinds=problem.kinds,
-        spacing=problem.least_distance,
-        span=problem.span,
-    )
-    return certificate, result.lower_bound
+    return certificate_of(result), result.lower_bound
 
 
 def allowed(problem: SearchProblem, subset: tuple[int, ...]) -> bool:

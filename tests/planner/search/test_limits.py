@@ -12,7 +12,7 @@ from planner.contacts import Contacts
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.grasp import Certificate
+from planner.planning import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
@@ -139,15 +139,8 @@ def test_pairs_whose_moment_is_zero_but_for_rounding_are_not_pruned_and_every_bo
         problem = opposite_problem(seed)
         result, best = CertifiedSearch(gap=GAP).run(problem), exhaustive_search(problem)
         assert result.rho == pytest.approx(np.inf if best is None else best.rho, rel=GAP * 1.01), seed
-        certificate = Certificate(
-            candidates=problem.contacts,
-            cuts=result.directions,
-            kinds=problem.kinds,
-            spacing=problem.least_distance,
-            span=problem.span,
-        )
         bound = result.lower_bound * (1 - 1e-9)
-        assert check_bound(certificate, 2, problem.reference_point, problem.wrenches, bound).proven, seed
+        assert check_bound(certificate_of(result), 2, problem.reference_point, problem.wrenches, bound).proven, seed
 
 
 def test_with_position_error_rho_is_the_worst_of_all_shifts() -> None:
@@ -239,3 +232,5 @@ def test_limits_out_of_range_are_refused() -> None:
         CertifiedSearch(apart=-1.0)
     with pytest.raises(CandidateError, match="paper's search"):
         PaperSearch().run(replace(problem, spacing=0.1))
+    with pytest.raises(CandidateError, match="position errors"):
+        PaperSearch().run(replace(problem, position_error=0.01))
