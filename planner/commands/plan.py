@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from planner.commands.plan_report import Report
     from planner.commands.search_log import SearchLog
     from planner.grasp import Grasp
+    from planner.limits.kinds import Kinds
     from planner.limits.limits import Limits
     from planner.objects.graspable import Graspable
 
@@ -139,7 +140,7 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
     from planner.objects.object_file import read_object_file
     from planner.objects.rigid_object import RigidObject
     from planner.objects.visual import visual_difference, warn_of_difference
-    from planner.planning import plan_several
+    from planner.planning import plan_within
     from planner.search.certified import CertifiedSearch
     from planner.task import make_task
 
@@ -166,12 +167,9 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         report.dropped(confirmed)
         console.show("comparing what is seen with what collides")
         warn_of_difference(rigid_object, visual_difference(rigid_object))
-    limits = None
-    if options.limits is not None:
-        limits, candidates = _within_limits(options.limits, rigid_object, candidates, options.fingers, report)
+    limits, kinds = _within_limits(options, rigid_object, candidates, report)
     log.header()
-    stop = log.asked(Interruption())
-    return plan_several(rigid_object, task, candidates, options.fingers, search, log.observe, stop, limits)
+    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(Interruption()))
 
 
 def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> Path:
@@ -185,18 +183,20 @@ def _decomposed(options: Options, folder: Path, report: "Report", console: Conso
 
 
 def _within_limits(
-    path: Path, rigid_object: "Graspable", candidates: "Candidates", fingers: int, report: "Report"
-) -> "tuple[Limits, Candidates]":
-    """The limits of a file and the candidates that they leave."""
+    options: Options, rigid_object: "Graspable", candidates: "Candidates", report: "Report"
+) -> "tuple[Limits, Kinds]":
+    """The limits of a file, none by default, and the candidates that they leave to each finger."""
     from planner.limits.kinds import finger_kinds
+    from planner.limits.limits import Limits
     from planner.limits.limits_file import read_limits
     from planner.limits.restricted import restricted
 
-    limits = read_limits(path, rigid_object)
+    limits = read_limits(options.limits, rigid_object) if options.limits else Limits()
     allowed = restricted(rigid_object, candidates, limits)
     report.restricted(allowed)
-    report.kinds(finger_kinds(rigid_object, allowed.candidates, fingers, limits))
-    return limits, allowed.candidates
+    kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
+    report.kinds(kinds)
+    return limits, kinds
 
 
 def main() -> None:

@@ -49,6 +49,10 @@ class Apart:
         """
         return self._far(self._distances, subsets)
 
+    def admits(self, subset: np.ndarray) -> bool:
+        """Whether one subset, shape (m,), is unlike all earlier grasps."""
+        return bool(self.admit(subset[None])[0])
+
     def _far(self, distances: list[np.ndarray], chosen: np.ndarray) -> np.ndarray:
         """Where one of the chosen is far enough from each earlier grasp, shape (rows,)."""
         far = np.ones(len(chosen), dtype=bool)

@@ -10,7 +10,6 @@ When no row is open, no subset beats the level, and the cuts that pruned are the
 
 import time
 from collections.abc import Callable, Sequence
-from functools import partial
 
 import numpy as np
 
@@ -77,13 +76,12 @@ class BranchAndBound:
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
         self.frontier.push(self.tree.first_row[None], np.array([np.inf]))
-        admits = partial(_admits, self.apart)  # without self: the tables go as soon as the search is over
         self.incumbents = Incumbents(
             problem.force_ceiling,
             method.gap,
             method.keep,
             method.within,
-            admits,
+            self.apart.admits,  # nothing that refers to self: the tables go as soon as the search is over
         )
         self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
         self.nodes = 0
@@ -107,7 +105,7 @@ class BranchAndBound:
         self.start_incumbent()
         if self.incumbents.best is None and self.impossible_at_once():
             return Status.INFEASIBLE
-        self.log()
+        self.log_if_due()
         while len(self.frontier):
             if status := self.halted():
                 return status
@@ -216,8 +214,11 @@ class BranchAndBound:
     def log_if_due(self) -> None:
         """Add a line to the log when there is a better grasp, and otherwise ever more rarely."""
         last = self.trace[-1] if self.trace else None
-        due = last is None or time.perf_counter() - self.began > LOG_GROWTH * last.seconds + LOG_PAUSE
-        if due or (last is not None and self.incumbents.rho < last.incumbent):
+        if (
+            last is None
+            or self.incumbents.rho < last.incumbent
+            or time.perf_counter() - self.began > LOG_GROWTH * last.seconds + LOG_PAUSE
+        ):
             self.log()
 
     def log(self) -> None:
@@ -253,7 +254,3 @@ class BranchAndBound:
             directions=self.cuts.directions[sorted(self.bounds.useful)],
             trace=tuple(self.trace),
         )
-
-
-def _admits(apart: Apart, subset: np.ndarray) -> bool:
-    return bool(apart.admit(subset[None])[0])

@@ -10,7 +10,7 @@ import numpy as np
 
 from planner.search.branch_and_bound import BATCH
 from planner.search.cuts import CutTable
-from planner.search.frontier import split
+from planner.search.frontier import Frontier, split
 from planner.search.node_bounds import NodeBounds
 from planner.search.result import SearchResult, Status
 from planner.search.spacing import Spacing
@@ -40,14 +40,16 @@ def needed_directions(result: SearchResult) -> np.ndarray:
         everything.add(direction)
     all_bounds, bounds = NodeBounds(tree, everything), NodeBounds(tree, chosen)
     all_bounds.extend()
-    open_rows = tree.first_row[None]
-    while len(open_rows):
+    frontier = Frontier(problem.fingers)
+    frontier.push(tree.first_row[None], np.array([np.inf]))
+    while len(frontier):
         if time.perf_counter() > enough:
             return result.directions
-        rows, open_rows = open_rows[-BATCH:], open_rows[:-BATCH]
-        rows = rows[spacing.possible(rows)]
+        rows, known = frontier.pop(BATCH)
+        possible = spacing.possible(rows)
+        rows, known = rows[possible], known[possible]
         bounds.extend()
-        rows = rows[bounds.bound(rows, np.full(len(rows), np.inf), threshold) > threshold]
+        rows = rows[bounds.bound(rows, known, threshold) > threshold]
         kills = all_bounds.kills(rows, threshold)
         for cut in greedy_cover(kills):
             chosen.add(everything.directions[cut])
@@ -55,7 +57,8 @@ def needed_directions(result: SearchResult) -> np.ndarray:
         if (tree.sizes[rows] == 1).all(axis=1).any():
             return result.directions  # too close to tell in float32
         if len(rows):
-            open_rows = np.concatenate([open_rows, split(rows, tree)[0]])
+            children, _ = split(rows, tree)
+            frontier.push(children, np.full(len(children), np.inf))
     return chosen.directions
 
 

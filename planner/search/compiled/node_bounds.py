@@ -12,7 +12,6 @@ from planner.search.compiled.compile import compiled
 BLOCK = 8
 """Cuts per block: one row of the table is read in runs of this many."""
 
-
 NO_BOUND = 1e30
 """Stands for infinity in a table, whose arithmetic assumes finite numbers."""
 
@@ -89,15 +88,13 @@ def bound_rows(
     for row in range(len(rows)):
         nodes = rows[row]
         _add_up(block_minima, nodes, 0, blocks, promise)
-        most_promising, read = 0, False
+        least = np.float32(NO_BOUND)
         for block in range(blocks):
-            if promise[block] < promise[most_promising]:
-                most_promising = block
-        for turn in range(blocks + 1):
-            block = turn if turn < blocks else most_promising  # read for its bound, where no other block was
-            if (promise[block] > threshold) if turn < blocks else read:
+            least = min(least, promise[block])
+        limit = max(threshold, least)
+        for block in range(blocks):
+            if promise[block] > limit:
                 continue
-            read = True
             first = block * BLOCK
             _add_up(maxima, nodes, first, BLOCK, sums)
             least = sums[0]
