@@ -78,6 +78,26 @@ class Contacts:
         )
 
 
+def reach(points: np.ndarray, reference_point: np.ndarray) -> float:
+    """Largest distance of a point from p_o [m], 1 where all are at p_o: the length that compares moments with forces.
+
+    Args:
+        points: Shape (n, d) [m].
+        reference_point: p_o, shape (d,) [m].
+    """
+    return float(np.linalg.norm(points - reference_point, axis=1).max()) or 1.0
+
+
+def wrench_scale(dimension: int, length: float) -> np.ndarray:
+    """What makes the moments of a wrench comparable with its forces: 1 for forces, 1 / length for moments, shape (D,).
+
+    Args:
+        dimension: d, 2 or 3.
+        length: See `reach` [m].
+    """
+    return np.append(np.ones(dimension), np.full(wrench_dimension(dimension) - dimension, 1 / length))
+
+
 def wrench_dimension(dimension: int) -> int:
     """Dimension D of wrench space: 3 in the plane, 6 in space."""
     return 3 if dimension == 2 else 6

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planner.friction_cone import components, utilisation
+from planner.contact_models.friction_cone import components, utilisation
 from sim.protocol import ValidationProtocol
 from sim.scene import Scene
 from sim.trial import FinalState, Trial

@@ -1,8 +1,8 @@
 """Forces at m contacts that balance a wrench within the friction cones, as Clarabel takes them.
 
-Variables x = (f_1, ..., f_m, extras) in contact frames, normal first; standard form A x + s = b, s in a product of
-cones: D balance rows (zero cone), one friction cone (mu f_n, f_t) per finger, then the rows that the criterion adds.
-In contact frames the cones are the same for all contacts of equal friction, so between two solves only the balance
+Variables (x_1, ..., x_m, extras), x_i in R^k the components of contact i as its contact model scales them, normal
+first; standard form A x + s = b, s in a product of cones: D balance rows (zero cone), one friction cone
+(mu x_i1, x_i2, ..., x_ik) per finger, then the rows that the criterion adds. So between two solves only the balance
 rows and the friction entries change, and one solver is updated in place. Moments are divided by the grasp's length
 and the wrench by its size: the solver sees the same numbers for a die and for a car.
 Source: Watanabe and Yoshikawa, eq. (2) and (3).
@@ -12,7 +12,8 @@ import clarabel
 import numpy as np
 from scipy import sparse
 
-from planner.contacts import wrench_dimension
+from planner.contact_models.contact_model import ContactModel
+from planner.contacts import wrench_dimension, wrench_scale
 
 SOLVED = (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved)
 INFEASIBLE = (clarabel.SolverStatus.PrimalInfeasible, clarabel.SolverStatus.AlmostPrimalInfeasible)
@@ -25,6 +26,7 @@ class ContactProgram:
         self,
         fingers: int,
         dimension: int,
+        model: ContactModel,
         *,
         quadratic: np.ndarray,
         linear: np.ndarray,
@@ -35,19 +37,20 @@ class ContactProgram:
         Args:
             fingers: Number of contacts m.
             dimension: d, 2 or 3.
+            model: Of the contacts.
             quadratic: P, shape (variables, variables).
-            linear: q, shape (variables,); the first m d variables are the forces.
+            linear: q, shape (variables,); the first m k variables are the components.
             rows: Rows of A that the criterion adds, shape (k, variables); their b is zero.
             cones: Clarabel's cones of these rows.
         """
         self.fingers, self.dimension = fingers, dimension
-        self._balance_rows = wrench_dimension(dimension)
+        self._components, self._balance_rows = model.components(dimension), wrench_dimension(dimension)
         self._data, self._balance, self._friction = self._pattern(rows)
         self._bounds = np.zeros(self._data.shape[0])
         self._quadratic, self._linear = sparse.csc_matrix(np.triu(quadratic)), linear
         self._cones = [
             clarabel.ZeroConeT(self._balance_rows),
-            *(clarabel.SecondOrderConeT(dimension) for _ in range(fingers)),
+            *(clarabel.SecondOrderConeT(self._components) for _ in range(fingers)),
             *cones,
         ]
         self._solver: clarabel.DefaultSolver | None = None
@@ -58,18 +61,17 @@ class ContactProgram:
         """Solve one problem.
 
         Args:
-            maps: Grasp maps times contact frames, G_i R_i, shape (m, D, d).
+            maps: G_i from components to wrenches, shape (m, D, k); see `planner.contact_models`.
             friction: Shape (m,).
             wrench: Shape (D,) [N, N m].
             length: Length that makes moments comparable with forces [m].
 
         Returns:
-            Forces in contact frames, shape (m, d) [N], NaN where Clarabel finds none; the direction lambda, shape
-            (D,), minus the multiplier of the balance, of any positive scale; Clarabel's status.
+            Components, shape (m, k) [N], NaN where Clarabel finds none; the direction lambda, shape (D,), minus the
+            multiplier of the balance, of any positive scale; Clarabel's status.
         """
-        d, rows = self.dimension, self._balance_rows
-        scale = np.ones(rows)
-        scale[d:] = 1 / length
+        rows, k = self._balance_rows, self._components
+        scale = wrench_scale(self.dimension, length)
         load = scale * wrench
         force = float(np.abs(load).max()) or 1.0
         self._data.data[self._balance] = (scale[:, None] * maps).transpose(0, 2, 1).ravel()
@@ -78,8 +80,8 @@ class ContactProgram:
         solution = self._optimise()
         direction = -np.asarray(solution.z[:rows]) * scale
         if solution.status not in SOLVED:
-            return np.full((self.fingers, d), np.nan), direction, solution.status
-        forces = force * np.asarray(solution.x[: self.fingers * d]).reshape(self.fingers, d)
+            return np.full((self.fingers, k), np.nan), direction, solution.status
+        forces = force * np.asarray(solution.x[: self.fingers * k]).reshape(self.fingers, k)
         return forces, direction, solution.status
 
     def _optimise(self) -> clarabel.DefaultSolution:
@@ -99,10 +101,11 @@ class ContactProgram:
 
     def _pattern(self, further: np.ndarray) -> tuple[sparse.csc_matrix, np.ndarray, np.ndarray]:
         """Constraint matrix A in CSC form and the positions, in its data, of balance and friction entries."""
-        d, rows, forces = self.dimension, self._balance_rows, self.fingers * self.dimension
+        rows, k = self._balance_rows, self._components
+        forces = self.fingers * k
         dense = np.zeros((rows + forces, further.shape[1]))
         dense[:rows, :forces] = np.nan  # balance entries, marked
         dense[rows:, :forces] = -np.eye(forces)
-        dense[range(rows, rows + forces, d), range(0, forces, d)] = np.inf  # friction entries, marked
+        dense[range(rows, rows + forces, k), range(0, forces, k)] = np.inf  # friction entries, marked
         matrix = sparse.csc_matrix(np.vstack([dense, further]))
         return matrix, np.flatnonzero(np.isnan(matrix.data)), np.flatnonzero(np.isinf(matrix.data))

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from planner.contacts import grasp_maps, wrench_dimension
+from planner.contacts import grasp_maps, wrench_dimension, wrench_scale
 from planner.errors import SolverError
 from planner.forces.problem import ForceProblem, ForceSolution
 
@@ -74,8 +74,7 @@ class CvxpyForces(ABC):
             SolverError: When CVXPY returns neither an optimum nor a proof that there is none.
         """
         contacts = problem.contacts
-        scale = np.ones(len(problem.wrench))
-        scale[contacts.dimension :] = 1 / problem.length
+        scale = wrench_scale(contacts.dimension, problem.length)
         load = scale * problem.wrench
         unit = float(np.linalg.norm(load)) or 1.0  # [N]
         self._wrench.value = load / unit

@@ -7,9 +7,12 @@ The inner minimum is convex in w, so its maximum over W_R is at a vertex; its sq
 friction cones. Source: Watanabe and Yoshikawa, section 4.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
-from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.contact_models.hard_finger import HARD_FINGER
+from planner.contacts import Contacts
 from planner.errors import SolverError
 from planner.forces.contact_program import INFEASIBLE, SOLVED, ContactProgram
 from planner.forces.problem import ForceProblem
@@ -21,13 +24,14 @@ class LeastTotalForces:
     def __init__(self, fingers: int, dimension: int) -> None:
         """
         Args:
-            fingers: Number of contacts m.
+            fingers: Number of contacts m, hard ones as in the paper.
             dimension: d, 2 or 3.
         """
         variables = fingers * dimension
         self._program = ContactProgram(
             fingers,
             dimension,
+            HARD_FINGER,
             quadratic=np.eye(variables),
             linear=np.zeros(variables),
             rows=np.empty((0, variables)),
@@ -48,8 +52,8 @@ class LeastTotalForces:
             SolverError: When Clarabel stops without an optimum or a certificate.
         """
         contacts = problem.contacts
-        frames = contact_frames(contacts.normals)
-        maps = grasp_maps(contacts.points, problem.reference_point) @ frames
+        alike = replace(contacts, strength=None)  # no cap: how strong a finger is does not matter
+        maps = HARD_FINGER.maps(alike, problem.reference_point)
         forces, _, status = self._program.solve(maps, contacts.friction, problem.wrench, problem.length)
         if status not in SOLVED + INFEASIBLE:
             raise SolverError(
@@ -57,7 +61,7 @@ class LeastTotalForces:
                 "an optimum nor a proof that there is none; the grasp balances this wrench barely or barely not"
             )
         total = float(np.linalg.norm(forces)) if status in SOLVED else np.inf
-        return np.einsum("ide,ie->id", frames, forces), total
+        return HARD_FINGER.forces(alike, forces), total
 
 
 def largest_least_total(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> float:

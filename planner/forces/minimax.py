@@ -1,7 +1,6 @@
-"""The inner problem, Subproblem 2, solved by Clarabel: min phi over balanced forces in their cones, |f_i| <= phi.
+"""The inner problem, Subproblem 2, solved by Clarabel: min phi over balanced forces in their cones, |f_i| <= s_i phi.
 
-With the strength of each finger in its grasp map, G_i s_i, the variables are f_i / s_i, and fingers of all strengths
-are alike.
+The maps of a contact model hold the strength of each finger, so that fingers of all strengths are alike here.
 
 Source: Watanabe and Yoshikawa, eq. (7).
 """
@@ -9,7 +8,8 @@ Source: Watanabe and Yoshikawa, eq. (7).
 import clarabel
 import numpy as np
 
-from planner.contacts import contact_frames, grasp_maps
+from planner.contact_models.contact_model import ContactModel
+from planner.contact_models.hard_finger import HARD_FINGER
 from planner.errors import SolverError
 from planner.forces.contact_program import SOLVED, ContactProgram
 from planner.forces.problem import ForceProblem, ForceSolution
@@ -21,25 +21,28 @@ UNREASONABLE = 1e6
 class MinimaxForces:
     """Solver of Subproblem 2 for a fixed number of fingers.
 
-    Variables x = (f_1, ..., f_m, phi) in contact frames; the rows added to the contacts' are the caps (phi, f_i).
+    Variables (x_1, ..., x_m, phi); the rows added to the contacts' are the caps (phi, the first d components of x_i).
     """
 
-    def __init__(self, fingers: int, dimension: int) -> None:
+    def __init__(self, fingers: int, dimension: int, model: ContactModel = HARD_FINGER) -> None:
         """
         Args:
             fingers: Number of contacts m.
             dimension: d, 2 or 3.
+            model: Of the contacts.
         """
-        self.fingers, self.dimension = fingers, dimension
-        variables, cap = fingers * dimension + 1, dimension + 1
+        self.fingers, self.model = fingers, model
+        self._dimension, components = dimension, model.components(dimension)
+        variables, cap = fingers * components + 1, dimension + 1
         caps = np.zeros((fingers * cap, variables))
         for finger in range(fingers):
             caps[finger * cap, -1] = -1.0
-            force = slice(finger * dimension, (finger + 1) * dimension)
+            force = slice(finger * components, finger * components + dimension)
             caps[finger * cap + 1 : (finger + 1) * cap, force] = -np.eye(dimension)
         self._program = ContactProgram(
             fingers,
             dimension,
+            model,
             quadratic=np.zeros((variables, variables)),
             linear=np.append(np.zeros(variables - 1), 1.0),
             rows=caps,
@@ -56,13 +59,12 @@ class MinimaxForces:
             SolverError: When Clarabel stops without an optimum or a certificate.
         """
         contacts = problem.contacts
-        frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
-        maps = grasp_maps(contacts.points, problem.reference_point) @ frames
-        forces, phi, direction = self.solve_arrays(maps, contacts.friction, problem.wrench, problem.length)
+        maps = self.model.maps(contacts, problem.reference_point)
+        components, phi, direction = self.solve_arrays(maps, contacts.friction, problem.wrench, problem.length)
         solution = ForceSolution(
             problem=problem,
             feasible=bool(np.isfinite(phi)),
-            forces=np.einsum("ide,ie->id", frames, forces),
+            forces=self.model.forces(contacts, components),
             phi=phi,
             direction=direction,
         )
@@ -76,16 +78,17 @@ class MinimaxForces:
         """The same on bare arrays, for callers that keep grasp maps of many contacts.
 
         Args:
-            maps: Grasp maps times contact frames and strengths, G_i R_i s_i, shape (m, D, d).
+            maps: The model's, shape (m, D, k).
             friction: Shape (m,).
             wrench: Shape (D,) [N, N m].
             length: Length that makes moments comparable with forces [m].
 
         Returns:
-            Forces over strengths in contact frames, shape (m, d) [N]; phi [N]; direction lambda, shape (D,). Where
-            Clarabel finds no solution the forces are NaN and phi is infinite; the direction tells whether that is
+            Components over strengths, shape (m, k) [N]; phi [N]; direction lambda, shape (D,). Where Clarabel finds no
+            solution the components are NaN and phi is infinite; the direction tells whether that is
             proven.
         """
-        forces, direction, status = self._program.solve(maps, friction, wrench, length)
+        components, direction, status = self._program.solve(maps, friction, wrench, length)
+        forces = components[:, : self._dimension]
         phi = float(np.sqrt((forces * forces).sum(axis=1).max())) if status in SOLVED else np.inf
-        return forces, phi, direction
+        return components, phi, direction

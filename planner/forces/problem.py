@@ -16,8 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planner.contacts import Contacts, grasp_maps
-from planner.friction_cone import components, support
+from planner.contact_models.models import model_of
+from planner.contacts import Contacts, grasp_maps, reach, wrench_scale
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -36,7 +36,7 @@ class ForceProblem:
     @property
     def length(self) -> float:
         """Largest distance of a contact from p_o [m]: makes moments comparable with forces."""
-        return float(np.linalg.norm(self.contacts.points - self.reference_point, axis=1).max()) or 1.0
+        return reach(self.contacts.points, self.reference_point)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -60,9 +60,7 @@ class ForceSolution:
     def balance_residual(self) -> float:
         """|sum_i G_i f_i + w| with moments divided by the problem's length, relative to the size of w."""
         problem = self.problem
-        dimension = problem.contacts.dimension
-        scale = np.ones(len(problem.wrench))
-        scale[dimension:] /= problem.length
+        scale = wrench_scale(problem.contacts.dimension, problem.length)
         maps = grasp_maps(problem.contacts.points, problem.reference_point)
         residual = np.einsum("iDd,id->D", maps, self.forces) + problem.wrench
         return float(np.linalg.norm(scale * residual) / (np.linalg.norm(scale * problem.wrench) or 1.0))
@@ -70,15 +68,14 @@ class ForceSolution:
     def cone_residual(self) -> float:
         """Largest violation of a friction cone, relative to phi."""
         contacts = self.problem.contacts
-        normal, tangential = components(self.forces, contacts.normals)
-        return float(np.maximum(tangential - contacts.friction * normal, -normal).max(initial=0) / (self.phi or 1.0))
+        return float(model_of(contacts).excess(self.forces, contacts).max(initial=0) / (self.phi or 1.0))
 
     def lower_bound(self) -> float:
         """Bound on phi that the direction proves without trusting any solver [N]; infinite for a certificate."""
         problem = self.problem
-        maps = grasp_maps(problem.contacts.points, problem.reference_point)
-        pulls = np.einsum("iDd,D->id", maps, self.direction)
-        capacity = support(pulls, problem.contacts.normals, problem.contacts.friction) @ problem.contacts.strengths
+        model = model_of(problem.contacts)
+        velocities = np.einsum("iDk,D->ik", model.maps(problem.contacts, problem.reference_point), self.direction)
+        capacity = float(model.support(velocities, problem.contacts.friction).sum())
         load = -float(self.direction @ problem.wrench)
         return load / capacity if capacity > 0 else (np.inf if load > 0 else 0.0)
 

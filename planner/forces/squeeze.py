@@ -26,7 +26,8 @@ import numpy as np
 from scipy import sparse
 from scipy.linalg import null_space
 
-from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.contact_models.hard_finger import HARD_FINGER
+from planner.contacts import Contacts, contact_frames, reach, wrench_scale
 from planner.errors import ContactError, SolverError
 from planner.forces.contact_program import INFEASIBLE, SOLVED
 
@@ -75,9 +76,8 @@ def squeeze_need(contacts: Contacts, reference_point: np.ndarray, wrenches: np.n
         )
     fingers, d = contacts.points.shape
     frames = contact_frames(contacts.normals)
-    length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
-    scale = np.where(np.arange(wrenches.shape[1]) < d, 1.0, 1 / length)  # moments become comparable with forces
-    maps = scale[:, None] * (grasp_maps(contacts.points, reference_point) @ frames)
+    scale = wrench_scale(d, reach(contacts.points, reference_point))
+    maps = scale[:, None] * HARD_FINGER.maps(contacts, reference_point)
     stacked = maps.transpose(1, 0, 2).reshape(len(scale), fingers * d)
     loads = scale * wrenches
     shares = loads @ np.linalg.pinv(stacked).T

@@ -16,7 +16,7 @@ def impossible_direction(problem: SearchProblem) -> np.ndarray | None:
     Returns:
         lambda, shape (D,), or None if all candidates together resist every vertex of W_R.
     """
-    solver = MinimaxForces(len(problem.contacts), problem.contacts.dimension)
+    solver = MinimaxForces(len(problem.contacts), problem.contacts.dimension, problem.model)
     for wrench in problem.wrenches:
         _, phi, direction = solver.solve_arrays(problem.maps, problem.contacts.friction, wrench, problem.length)
         if np.isinf(phi):

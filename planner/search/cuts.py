@@ -11,7 +11,7 @@ but the bound holds whatever their source.
 
 import numpy as np
 
-from planner.search.compiled.capacities import capacities
+from planner.search.compiled.capacities import compiled_capacities
 from planner.search.problem import SearchProblem
 
 FIRST_CUTS = 256
@@ -26,6 +26,7 @@ class CutTable:
         self._directions = np.empty((FIRST_CUTS, problem.wrenches.shape[1]))
         self._loads = np.empty((FIRST_CUTS, len(problem.wrenches)))
         self._values = np.empty((len(problem.contacts), FIRST_CUTS))
+        self._capacities_of = compiled_capacities(problem.model)
         self._count = 0
 
     def __len__(self) -> int:
@@ -107,7 +108,7 @@ class CutTable:
 
     def _of(self, maps: np.ndarray, friction: np.ndarray, direction: np.ndarray) -> np.ndarray:
         values = np.empty(len(maps))
-        capacities(maps, friction, direction, values)
+        self._capacities_of(maps, friction, direction, values)
         return values
 
     def _grow(self) -> None:

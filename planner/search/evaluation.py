@@ -8,7 +8,7 @@ from planner.forces.minimax import MinimaxForces
 from planner.search.problem import SearchProblem
 
 Solution = tuple[np.ndarray, float, np.ndarray]
-"""Forces over strengths in contact frames (m, d) [N], phi [N] (infinite: none found), direction lambda (D,)."""
+"""Components over strengths (m, k) [N], phi [N] (infinite: none found), direction lambda (D,)."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -41,7 +41,7 @@ class Evaluator:
     def __init__(self, problem: SearchProblem) -> None:
         self.problem = problem
         self.solves = 0
-        self._solver = MinimaxForces(problem.fingers, problem.contacts.dimension)
+        self._solver = MinimaxForces(problem.fingers, problem.contacts.dimension, problem.model)
 
     def solve(self, subset: np.ndarray, case: int) -> Solution:
         """Subproblem 2 for one subset, shape (m,), and one case: a vertex of W_R and a shift of each finger."""
@@ -70,11 +70,11 @@ class Evaluator:
 
     def collect(self, subset: np.ndarray, solutions: list[Solution]) -> Evaluation:
         """The evaluation made of one solution per case, in order; of each vertex the worst shifts count."""
-        frames = self.problem.frames[subset] * self.problem.strengths[subset][:, None, None]
+        contacts = self.problem.fingertips.subset(subset)
         phi = np.array([phi for _, phi, _ in solutions]).reshape(-1, len(self.problem.wrenches))
         worst = [solutions[case][0] for case in phi.argmax(axis=0) * phi.shape[1] + np.arange(phi.shape[1])]
         return Evaluation(
             subset=subset,
             phi=phi.max(axis=0),
-            forces=np.stack([np.einsum("ide,ie->id", frames, forces) for forces in worst]),
+            forces=self.problem.model.forces(contacts, np.stack(worst)),
         )

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.contacts import wrench_scale
 from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluation, Evaluator
@@ -37,8 +38,7 @@ NOTICEABLE = 1e-3
 def add_vertex_cuts(cuts: CutTable) -> None:
     """Add the direction that opposes each vertex of W_R: free cuts to start from."""
     problem = cuts.problem
-    scale = np.ones(problem.wrenches.shape[1])
-    scale[problem.contacts.dimension :] /= problem.length**2
+    scale = wrench_scale(problem.contacts.dimension, problem.length) ** 2
     for wrench in problem.wrenches:
         cuts.add(-scale * wrench)
 

@@ -9,7 +9,9 @@ from math import comb, prod
 
 import numpy as np
 
-from planner.contacts import Contacts, contact_frames, grasp_maps, wrench_dimension
+from planner.contact_models.contact_model import ContactModel
+from planner.contact_models.models import model_of
+from planner.contacts import Contacts, contact_frames, reach, wrench_dimension, wrench_scale
 from planner.errors import CandidateError, TaskError
 from planner.search.finger_kind import FingerKind
 
@@ -127,6 +129,16 @@ class SearchProblem:
         """s_i: the finger at candidate i can push s_i times the force level phi, |f_i| <= s_i phi; shape (n,)."""
         return np.repeat([kind.strength for kind in self.all_kinds], [kind.candidates for kind in self.all_kinds])
 
+    @cached_property
+    def fingertips(self) -> Contacts:
+        """The candidates with the strengths of their fingers."""
+        return replace(self.contacts, strength=self.strengths)
+
+    @property
+    def model(self) -> ContactModel:
+        """How fingers touch."""
+        return model_of(self.contacts)
+
     @property
     def least_distance(self) -> float:
         """Least distance between two chosen contacts [m]: fingers of different kinds never share a point."""
@@ -168,28 +180,22 @@ class SearchProblem:
     @cached_property
     def length(self) -> float:
         """Largest distance of a candidate from p_o [m]: makes moments comparable with forces."""
-        return float(np.linalg.norm(self.contacts.points - self.reference_point, axis=1).max()) or 1.0
+        return reach(self.contacts.points, self.reference_point)
 
     @cached_property
     def maps(self) -> np.ndarray:
-        """Grasp maps from contact frames times strengths, G_i R_i s_i, shape (n, D, d).
-
-        They map f_i / s_i, whose length is at most phi: with them, fingers of all strengths are alike.
-        """
-        maps = grasp_maps(self.contacts.points, self.reference_point) @ self.frames
-        return np.ascontiguousarray(maps * self.strengths[:, None, None])
+        """G_i from the components of each candidate's contact to wrenches, shape (n, D, k), strengths in them."""
+        return self.model.maps(self.fingertips, self.reference_point)
 
     @cached_property
     def shifted_maps(self) -> np.ndarray:
-        """`maps` of every place where a finger may land, the contact itself first, shape (shifts, n, D, d)."""
+        """`maps` of every place where a finger may land, the contact itself first, shape (shifts, n, D, k)."""
         if not self.position_error:
             return self.maps[None]
-        tangents = self.frames[:, :, 1:].transpose(2, 0, 1)  # one or two, shape (d - 1, n, d)
+        tangents = contact_frames(self.contacts.normals)[:, :, 1:].transpose(2, 0, 1)  # shape (d - 1, n, d)
         offsets = self.position_error * np.concatenate([0 * tangents[:1], tangents, -tangents])
-        scaled = self.frames * self.strengths[:, None, None]
-        return np.stack(
-            [grasp_maps(self.contacts.points + offset, self.reference_point) @ scaled for offset in offsets]
-        )
+        landed = [replace(self.fingertips, points=self.contacts.points + offset) for offset in offsets]
+        return np.stack([self.model.maps(contacts, self.reference_point) for contacts in landed])
 
     @property
     def cases(self) -> int:
@@ -197,19 +203,12 @@ class SearchProblem:
         return len(self.wrenches) * len(self.shifted_maps) ** self.fingers
 
     @cached_property
-    def frames(self) -> np.ndarray:
-        """Contact frames R_i, shape (n, d, d)."""
-        return contact_frames(self.contacts.normals)
-
-    @cached_property
     def force_ceiling(self) -> float:
         """Ten thousand times the largest wrench of W_R [N]: a grasp that needs more is called infeasible.
 
         Far above any finger, and far below what the accuracy of infeasibility certificates can resolve.
         """
-        scale = np.ones(self.wrenches.shape[1])
-        scale[self.contacts.dimension :] /= self.length
-        return 1e4 * float(np.abs(self.wrenches * scale).max())
+        return 1e4 * float(np.abs(self.wrenches * wrench_scale(self.contacts.dimension, self.length)).max())
 
 
 def require_finger_number(fingers: int) -> None:

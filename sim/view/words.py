@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from planner.contact_models.friction_cone import utilisation
 from planner.exports.report_data import plain_status
-from planner.friction_cone import utilisation
 from planner.grasp import Grasp
 from sim.render.drawn_motion import DrawnPose
 from sim.view.playback import Playback

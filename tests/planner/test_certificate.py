@@ -9,12 +9,12 @@ import pytest
 
 from planner import certificate as module
 from planner.certificate import capacities, check_bound
+from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
 from planner.errors import CandidateError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
-from planner.friction_cone import support
 from planner.grasp import Certificate
 from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search

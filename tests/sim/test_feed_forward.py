@@ -5,10 +5,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from planner.contact_models.friction_cone import utilisation
 from planner.contacts import Contacts, grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.friction_cone import utilisation
 from sim.feed_forward import CAP_TOLERANCE, FeedForward
 
 SEEDS = st.integers(0, 2**32 - 1)

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from planner.contact_models.friction_cone import utilisation
 from planner.contacts import Contacts, grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.squeeze import squeeze_need
-from planner.friction_cone import utilisation
 
 SEEDS = st.integers(0, 2**32 - 1)
 ORIGIN = np.zeros(3)

@@ -5,8 +5,8 @@ from itertools import chain, combinations, repeat
 import numpy as np
 import pytest
 
+from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
-from planner.friction_cone import support
 from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem

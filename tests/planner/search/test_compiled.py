@@ -6,8 +6,8 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
-from planner.friction_cone import support
 from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
 from planner.search.finger_kind import FingerKind

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from planner.certificate import check_bound
-from planner.contacts import Contacts
+from planner.contacts import Contacts, contact_frames
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
@@ -182,7 +182,7 @@ def test_a_position_error_in_space_never_helps_and_its_cases_cover_every_shift()
     subset = shifted.incumbent.subset
     assert shifted.rho == pytest.approx(Evaluator(missed).evaluate(subset).rho, rel=1e-6)
     generator = np.random.default_rng(0)
-    tangents = problem.frames[subset][:, :, 1:]
+    tangents = contact_frames(problem.contacts.normals[subset])[:, :, 1:]
     for _ in range(20):  # random combinations of the shifts, made differently
         axis, sign = generator.integers(0, 2, 3), generator.choice([-1, 0, 1], 3)
         moved = problem.contacts.points[subset] + (
