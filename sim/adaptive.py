@@ -5,7 +5,7 @@ import numpy as np
 from planner.contacts import Contacts
 from sim.feed_forward import FeedForward
 from sim.protocol import ValidationProtocol
-from sim.similarity import Similarity
+from sim.scene.units import Similarity
 from sim.trial import Trial
 
 

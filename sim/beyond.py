@@ -126,7 +126,8 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
     forces = answers.forces.reshape(count, corners, -1, 3)
     preloads, caps = answers.preloads[::corners], answers.caps[::corners]
     loads = _along(wrenches, preloads, forces, experiment.protocol)
-    final = step_through(experiment.scene, loads, caps, experiment.protocol)
+    protocol = experiment.protocol
+    final = step_through(experiment.scene, loads, caps, protocol, lost=protocol.lost)
     last = Trial(wrenches=wrenches[:, -1], caps=caps, preloads=preloads, forces=forces[:, -1])
     return measure(experiment.scene, last, final, 1 / experiment.units.force, experiment.protocol)
 

@@ -1,21 +1,23 @@
 """A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SimulationError
-from planner.objects.rigid_object import RigidObject
+from planner.objects.rigid_object import ConvexPart, RigidObject
 from sim.adaptive import adaptive_trial
 from sim.measurement import Measurement, measure
-from sim.object_joints import joints_of
 from sim.protocol import ValidationProtocol
-from sim.scene import Scene, build_scene, with_friction
+from sim.scene.fingertips import Fingertips
+from sim.scene.floating_object import FloatingObject
+from sim.scene.object_joints import ObjectJoints, joints_of
+from sim.scene.scene import Scene, build_scene, with_friction
+from sim.scene.static_check import StaticCheck, check_touch
+from sim.scene.units import Similarity, similarity
 from sim.schedule import steps
-from sim.similarity import Similarity, similarity
-from sim.static_check import StaticCheck, check_touch
 from sim.trial import Trial, run
 from sim.workload import each_step
 
@@ -115,13 +117,46 @@ def set_up(
         ContactError: When the friction is not one positive number per contact.
     """
     units = similarity(contacts, reference_point, rho, protocol.reach)
-    simulated = replace(contacts, friction=friction)
-    for tip_radius in protocol.tip_radii:
-        scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius, joints_of(rigid_object))
+    touching, joints = units.contacts(replace(contacts, friction=friction)), joints_of(rigid_object)
+    for radius in protocol.tip_radii:
+        scene = experiment_scene(rigid_object.parts, touching, units, protocol, radius, joints)
         static = check_touch(scene, rigid_object.size, units.length, protocol)
         if not static.reasons():
             break
     return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
+
+
+def experiment_scene(
+    parts: Sequence[ConvexPart],
+    touching: Contacts,
+    units: Similarity,
+    protocol: ValidationProtocol,
+    tip_radius: float,
+    joints: ObjectJoints,
+) -> Scene:
+    """The object with its inertial frame at the reference point, where MuJoCo applies forces, and fingertips.
+
+    Args:
+        parts: The object's collision geoms, in the body frame, SI.
+        touching: The grasp in the units of the experiment, with the friction to simulate.
+        units: Map to those units.
+        protocol: Settings.
+        tip_radius: Radius of the fingertips, relative to the reach.
+        joints: How the object may move.
+
+    Raises:
+        SimulationError: When MuJoCo cannot compile the scene.
+    """
+    held = FloatingObject(
+        parts=parts,
+        units=units,
+        mass=protocol.object_mass,
+        center_of_mass=np.zeros(3),
+        inertia=protocol.object_mass * protocol.reach**2 * np.eye(3),
+        joints=joints,
+    )
+    tips = Fingertips(contacts=touching, radius=tip_radius * protocol.reach, mass=protocol.tip_mass)
+    return build_scene(held, tips, protocol)
 
 
 def check_wrenches(wrenches: np.ndarray, phi: np.ndarray) -> None:

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from planner.contact_models.friction_cone import components, utilisation
+from sim.final_state import FinalState
 from sim.protocol import ValidationProtocol
-from sim.scene import Scene
-from sim.trial import FinalState, Trial
+from sim.scene.scene import Scene
+from sim.trial import Trial
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

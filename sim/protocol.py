@@ -1,17 +1,22 @@
 """The measuring protocol: every constant of the experiment and every threshold of its verdict.
 
 The experiment is non-dimensional (sim/similarity.py): the farthest contact lies `reach` from the reference
-point and the predicted rho is one newton. MuJoCo's default solver and contact settings cannot make this
-measurement; each setting below says what was wrong without it, out of 1,216 grasp and wrench pairs that
-should all hold.
+point and the predicted rho is one newton. How MuJoCo computes is in sim/scene/physics.py, the fingers in
+sim/force_law.py.
 """
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from sim.final_state import FinalState
+from sim.force_law import FingerLaw
+from sim.scene.physics import Physics
+
 
 @dataclass(frozen=True, kw_only=True)
-class ValidationProtocol:
-    """Settings of the scene, the solver, the fingers, the schedule and the verdict."""
+class ValidationProtocol(Physics, FingerLaw):
+    """Settings of the scene, the schedule and the verdict, beside those of contacts, solver and fingers."""
 
     name: str
     """Name and version: one name, one set of values."""
@@ -20,66 +25,10 @@ class ValidationProtocol:
     reach: float = 0.05
     """Distance of the farthest contact from the reference point [m]."""
 
-    tip_radii: tuple[float, ...] = (0.04, 0.01, 0.0025)
-    """Radii of the fingertips, relative to the reach: the first that touches nothing but what was planned is taken.
-
-    A tip in a corner narrower than itself touches both walls. Measured equal from 0.0025 to 0.4.
-    """
-
-    tip_mass: float = 0.01
-    """Mass of a fingertip [kg]; measured equal from 0.003 to 0.03."""
-
     object_mass: float = 0.1
     """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
 
-    # Contact
-    solref: tuple[float, float] = (0.002, 1.0)
-    """Time constant [s] and damping ratio of a contact: two time steps, critical; 0.02 s fails 55 falsely."""
-
-    solimp: tuple[float, float, float, float, float] = (0.999, 0.9999, 1e-3, 0.5, 2.0)
-    """Constraint impedance; MuJoCo's 0.9 0.95 fails 1,190 falsely: soft friction creeps."""
-
-    cone: str = "elliptic"
-    """The circular cone of the prediction; a pyramidal one fails all 1,216."""
-
-    impratio: float = 100.0
-    """Friction-to-normal impedance; 1 fails 1,013 falsely, 10 fails 4, 30 to 1000 none."""
-
-    # Solver
-    timestep: float = 1e-3
-    """Time step [s]; 4 ms fails 29 falsely, 0.25 to 1 ms none.
-
-    2 ms fails 204 of 2,304 falsely on random grasps, and passes 11 falsely.
-    """
-
-    integrator: str = "implicitfast"
-    """All integrators measured equal."""
-
-    solver: str = "Newton"
-    """Newton; conjugate gradients fail 1,086 falsely."""
-
-    iterations: int = 50
-    """Largest number of solver iterations; 10 fails 11 falsely."""
-
-    tolerance: float = 1e-15
-    """Solver tolerance; MuJoCo's 1e-8 fails 442 falsely, 1e-10 fails 47, 1e-12 and below none."""
-
-    noslip_iterations: int = 0
-    """No post-processing of friction: it is not needed at this tolerance."""
-
-    ccd_tolerance: float = 1e-8
-    """Tolerance of mesh and ellipsoid collisions [m]."""
-
-    jacobian: str = "dense"
-    """Dense: the sparse factorisation of mujoco-core 4.0.0 has a bug."""
-
     # Fingers
-    stiffness: float = 100.0
-    """Stiffness K that holds a fingertip at its anchor [N/m]; 10 to 250 measured equal, 500 fails falsely."""
-
-    damping_ratio: float = 0.7
-    """Damping of that spring, relative to critical."""
-
     preload: float = 0.5
     """Largest force of the preload, relative to the cap."""
 
@@ -132,10 +81,10 @@ class ValidationProtocol:
     creep_tolerance: float = 2e-5
     """Largest slip of fingers that only squeeze, relative to the reach: a tenth of what a slip is."""
 
-    @property
-    def damping(self) -> float:
-        """Damping of a finger, 2 zeta sqrt(K m) [N s/m]."""
-        return 2 * self.damping_ratio * float((self.stiffness * self.tip_mass) ** 0.5)
+    def lost(self, state: FinalState) -> np.ndarray:
+        """Which objects moved too far to come back, shape (simulations,)."""
+        far = self.gone * self.motion_tolerance
+        return (state.translations > far * self.reach) | (state.rotations > far)
 
     @property
     def duration(self) -> float:

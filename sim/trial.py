@@ -10,9 +10,11 @@ import numpy as np
 from mujoco import batch
 
 from planner.errors import SimulationError
-from sim.force_law import finger_forces
+from sim.final_state import FinalState
+from sim.force_law import FingerLaw
 from sim.protocol import ValidationProtocol
-from sim.scene import SENSOR_WIDTH, Scene
+from sim.scene.fingertips import SENSOR_WIDTH
+from sim.scene.scene import Scene
 from sim.schedule import fractions
 
 Observer = Callable[[np.ndarray, np.ndarray], None]
@@ -20,7 +22,7 @@ Observer = Callable[[np.ndarray, np.ndarray], None]
 (simulations, contacts, SENSOR_WIDTH). Both arrays are overwritten by the next step."""
 
 LOOK_EVERY = 10
-"""Steps between two looks for objects that are gone."""
+"""Steps between two looks for objects that are lost."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -40,37 +42,6 @@ class Trial:
     """Feed-forward forces under the full wrench, shape (simulations, contacts, 3) [N]."""
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class FinalState:
-    """Where everything is at the end, per simulation, in the units of the experiment."""
-
-    object_positions: np.ndarray
-    """Displacement of the object, shape (simulations, 3) [m]."""
-
-    object_quaternions: np.ndarray
-    """Rotation of the object (w, x, y, z), shape (simulations, 4)."""
-
-    tip_displacements: np.ndarray
-    """Displacements of the fingertips from their anchors, shape (simulations, contacts, 3) [m]."""
-
-    touching: np.ndarray
-    """Whether each fingertip touches the object, shape (simulations, contacts)."""
-
-    contact_forces: np.ndarray
-    """Measured contact forces in contact frames, normal first, shape (simulations, contacts, 3) [N]."""
-
-    @property
-    def translations(self) -> np.ndarray:
-        """Displacement of the object, shape (simulations,) [m]."""
-        return np.linalg.norm(self.object_positions, axis=1)
-
-    @property
-    def rotations(self) -> np.ndarray:
-        """Rotation of the object, shape (simulations,) [rad]."""
-        quaternions = self.object_quaternions
-        return 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
-
-
 def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Observer = lambda *_: None) -> FinalState:
     """Step every simulation through the schedule, and show every step.
 
@@ -79,28 +50,31 @@ def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Obser
     """
     growth = trial.forces - trial.preloads
     loads = ((load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol))
-    return step_through(scene, loads, trial.caps, protocol, observe)
+    return step_through(scene, loads, trial.caps, protocol, observe, protocol.lost)
 
 
 def step_through(
     scene: Scene,
     loads: Iterable[tuple[np.ndarray, np.ndarray]],
     caps: np.ndarray,
-    protocol: ValidationProtocol,
+    law: FingerLaw,
     observe: Observer = lambda *_: None,
+    lost: Callable[[FinalState], np.ndarray] | None = None,
 ) -> FinalState:
-    """Step every simulation through given loads; an object that is gone is left where it is.
+    """Step every simulation through given loads.
 
     Args:
         scene: What is stepped.
         loads: For every step the external wrenches, shape (simulations, 6), and the feed-forward forces, shape
-            (simulations, contacts, 3), in the units of the experiment.
+            (simulations, contacts, 3), in the units of the scene.
         caps: Largest force norm of a finger of strength 1, shape (simulations,) [N].
-        protocol: Settings.
+        law: How the fingers answer.
         observe: Shown every step.
+        lost: Which objects, shape (simulations,), are past return: their outcome is known, and they are left where
+            they are.
 
     Raises:
-        SimulationError: When MuJoCo stops a simulation.
+        SimulationError: When MuJoCo stops a simulation, or loses one.
     """
     simulations, fingers, joints = len(caps), len(scene.contacts), scene.joints
     batched = batch.Batch(scene.model, simulations)
@@ -125,25 +99,17 @@ def step_through(
     present = np.arange(simulations, dtype=np.int32)
     try:
         for step, (wrenches, feed_forward) in enumerate(loads, start=1):
-            forces = finger_forces(
-                feed_forward, displacements, rates, finger_caps, protocol.stiffness, protocol.damping
-            )
+            forces = law.forces(feed_forward, displacements, rates, finger_caps)
             joint_forces[:] = forces.reshape(simulations, -1)
             external[:] = wrenches
             batched.step(present)
             observe(positions, sensors)
-            if step % LOOK_EVERY == 0:
-                present = np.flatnonzero(~_gone(state(), protocol)).astype(np.int32)
+            if lost is not None and step % LOOK_EVERY == 0:
+                present = np.flatnonzero(~lost(state())).astype(np.int32)
                 if not present.size:
                     break
     except batch.SimulationError as error:
-        raise SimulationError(f"MuJoCo stopped the validation: {error}") from error
+        raise SimulationError(f"MuJoCo stopped a simulation: {error}") from error
     if not np.isfinite(positions).all():
-        raise SimulationError("a validation simulation diverged; its fingertips may overlap the object or each other")
+        raise SimulationError("a simulation diverged; its fingertips may overlap the object or each other")
     return state()
-
-
-def _gone(state: FinalState, protocol: ValidationProtocol) -> np.ndarray:
-    """Objects that moved too far to come back: their outcome is known, stepping on would only cost time."""
-    far = protocol.gone * protocol.motion_tolerance
-    return (state.translations > far * protocol.reach) | (state.rotations > far)

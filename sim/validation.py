@@ -25,7 +25,7 @@ from sim.experiment import Experiment, check_wrenches, set_up
 from sim.force_agreement import ForceAgreement, force_agreement
 from sim.measurement import Measurement
 from sim.protocol import ACTIVE, ValidationProtocol
-from sim.static_check import StaticCheck
+from sim.scene.static_check import StaticCheck
 from sim.verdict import Verdict, judge, unheld
 from sim.workload import Observe, Workload
 

@@ -6,21 +6,23 @@ of rho: it has a pass or a fail and no force to compare. More is not always bett
 stiffness times the reach of the contacts, can turn the object between its springs.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.metadata import version
+from itertools import count
 
 import mujoco
 import numpy as np
-from mujoco import batch
 
 from planner.contacts import Contacts
-from planner.errors import SettingError, SimulationError
+from planner.errors import SettingError
 from planner.objects.rigid_object import RigidObject
 from sim.benches.settings import BenchSettings
 from sim.benches.world import build_world
 from sim.feed_forward import FeedForward
-from sim.force_law import finger_forces
-from sim.scene import SENSOR_WIDTH, Scene
+from sim.final_state import angles
+from sim.scene.scene import Scene
+from sim.trial import step_through
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -79,10 +81,7 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
             "validate this grasp with fingers that adapt (--mode active)"
         )
     scene = build_world(rigid_object, contacts, settings)
-    even = Contacts(
-        points=contacts.points, normals=contacts.normals, friction=np.full(len(contacts), settings.friction)
-    )
-    preload = FeedForward(even, rigid_object.center_of_mass).internal_force(squeeze)
+    preload = FeedForward(scene.contacts, rigid_object.center_of_mass).internal_force(squeeze)
     translations, rotations, touching = _simulate(scene, preload, settings)
     reasons = _objections(translations, rotations, touching, settings)
     return BenchOutcome(
@@ -102,43 +101,34 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
 
 def _simulate(scene: Scene, preload: np.ndarray, settings: BenchSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Largest translations and rotations at any look, and who touches at the end."""
+    simulations, look = len(settings.tugs), round(settings.check_interval / settings.timestep)
+    squeezing = round(settings.squeeze_time / settings.timestep)
+    last = squeezing + round(settings.tug_time / settings.timestep) * len(settings.tugs[0])
+    translations, rotations, steps = np.zeros(simulations), np.zeros(simulations), count(1)
+
+    def observe(positions: np.ndarray, _: np.ndarray) -> None:
+        nonlocal translations, rotations
+        step = next(steps)
+        if step > squeezing and ((step - squeezing) % look == 0 or step == last):
+            object_positions, object_quaternions = scene.joints.pose(positions)
+            translations = np.maximum(translations, np.linalg.norm(object_positions, axis=1))
+            rotations = np.maximum(rotations, angles(object_quaternions))
+
+    uncapped = np.full(simulations, np.inf)
+    final = step_through(scene, _loads(preload, settings), uncapped, settings, observe)
+    return translations, rotations, final.touching
+
+
+def _loads(preload: np.ndarray, settings: BenchSettings) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Of every step: wrenches, shape (simulations, 6) [N, N m], and push of the fingers; a squeeze, then the tugs."""
     tugs = settings.object_mass * settings.tug_acceleration * np.array(settings.tugs, dtype=float)
-    simulations, count = tugs.shape[:2]
-    batched = batch.Batch(scene.model, simulations)
-    positions, velocities = batched.bind("qpos"), batched.bind("qvel")
-    joint_forces = batched.bind("qfrc_applied")[:, scene.joints.velocities :]
-    external = batched.bind("xfrc_applied")[:, scene.object_body, :3]
-    sensors = batched.bind("sensordata")
-    displacements = positions[:, scene.joints.positions :].reshape(simulations, *preload.shape)
-    rates = velocities[:, scene.joints.velocities :].reshape(simulations, *preload.shape)
-    squeezing, tugging, look = (
-        round(seconds / settings.timestep)
-        for seconds in (settings.squeeze_time, settings.tug_time, settings.check_interval)
-    )
-    translations, rotations = np.zeros(simulations), np.zeros(simulations)
-    last = squeezing + count * tugging
-    try:
-        for step in range(1, last + 1):
-            push = min(1.0, step / squeezing) * preload
-            forces = finger_forces(push, displacements, rates, np.array(np.inf), settings.stiffness, settings.damping)
-            joint_forces[:] = forces.reshape(simulations, -1)
-            if step > squeezing:
-                external[:] = tugs[:, (step - squeezing - 1) // tugging]
-            batched.step()
-            if step > squeezing and ((step - squeezing) % look == 0 or step == last):
-                object_positions, object_quaternions = scene.joints.pose(positions)
-                translations = np.maximum(translations, np.linalg.norm(object_positions, axis=1))
-                rotations = np.maximum(rotations, _angles(object_quaternions))
-    except batch.SimulationError as error:
-        raise SimulationError(f"MuJoCo stopped {settings.name}: {error}") from error
-    if not np.isfinite(positions).all():
-        raise SimulationError(f"{settings.name} diverged; fingertips may overlap the object or each other")
-    touching = sensors.reshape(simulations, len(preload), SENSOR_WIDTH)[:, :, 0] > 0
-    return translations, rotations, touching
-
-
-def _angles(quaternions: np.ndarray) -> np.ndarray:
-    return 2 * np.arctan2(np.linalg.norm(quaternions[:, 1:], axis=1), np.abs(quaternions[:, 0]))
+    tugs = np.concatenate([tugs, np.zeros_like(tugs)], axis=2)
+    squeezing, tugging = (round(seconds / settings.timestep) for seconds in (settings.squeeze_time, settings.tug_time))
+    for step in range(1, squeezing + 1):
+        yield np.zeros_like(tugs[:, 0]), step / squeezing * preload
+    for tug in range(tugs.shape[1]):
+        for _ in range(tugging):
+            yield tugs[:, tug], preload
 
 
 def _objections(

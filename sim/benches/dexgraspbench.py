@@ -28,6 +28,7 @@ DEXGRASPBENCH = BenchSettings(
     iterations=100,  # MuJoCo's default, as is the tolerance
     tolerance=1e-8,
     noslip_iterations=2,
+    ccd_tolerance=1e-6,
     squeeze_time=0.5,
     tugs=(((-1, 0, 0),), ((1, 0, 0),), ((0, -1, 0),), ((0, 1, 0),), ((0, 0, -1),), ((0, 0, 1),)),
     tug_time=2.0,

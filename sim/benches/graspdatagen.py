@@ -15,7 +15,6 @@ from planner.contacts import Contacts
 from planner.objects.rigid_object import RigidObject
 from sim.benches.bench import BenchOutcome, run_bench
 from sim.benches.settings import BenchSettings
-from sim.protocol import ACTIVE
 
 AWAY, ASIDE = float(np.sqrt(0.2)), float(np.sqrt(0.8))
 """Components of [0, 2, 1] normalised."""
@@ -24,15 +23,6 @@ GRASPDATAGEN = BenchSettings(
     name="GraspDataGen tugs (fingertips)",
     object_mass=1.0,
     friction=1.0,
-    torsional_friction=0.0,
-    condim=3,
-    solref=ACTIVE.solref,
-    solimp=ACTIVE.solimp,
-    impratio=ACTIVE.impratio,
-    timestep=ACTIVE.timestep,
-    iterations=ACTIVE.iterations,
-    tolerance=ACTIVE.tolerance,
-    noslip_iterations=ACTIVE.noslip_iterations,
     squeeze_time=1.0,
     tugs=(((0, 0, 1), (0, ASIDE, AWAY), (0, -ASIDE, AWAY), (ASIDE, 0, AWAY), (-ASIDE, 0, AWAY)),),
     tug_time=0.5,

@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 
+from sim.force_law import FingerLaw
+from sim.scene.physics import Physics
+
 
 @dataclass(frozen=True, kw_only=True)
-class BenchSettings:
+class BenchSettings(Physics, FingerLaw):
     """One published protocol, emulated with fingertips in real metres, newtons and kilograms."""
 
     name: str
@@ -18,55 +21,18 @@ class BenchSettings:
     friction: float
     """The protocol's own sliding friction, whatever was planned."""
 
-    torsional_friction: float
+    torsional_friction: float = 0.0
     """Resistance to turning about the contact normal, used when condim is 4 [m]."""
 
-    condim: int
+    condim: int = 3
     """3: sliding friction. 4: torsional friction too."""
-
-    solref: tuple[float, float]
-    """Time constant [s] and damping ratio of a contact."""
-
-    solimp: tuple[float, float, float, float, float]
-    """Constraint impedance."""
-
-    cone: str = "elliptic"
-
-    impratio: float
-    """Friction-to-normal impedance."""
-
-    # Solver
-    timestep: float
-    """[s]"""
-
-    integrator: str = "implicitfast"
-
-    solver: str = "Newton"
-
-    iterations: int
-    """Largest number of solver iterations."""
-
-    tolerance: float
-    """Solver tolerance."""
-
-    noslip_iterations: int
-
-    jacobian: str = "dense"
-    """Dense: the sparse factorisation of mujoco-core 4.0.0 has a bug."""
 
     # Fingers: the emulation's own
     stiffness: float = 1000.0
     """Stiffness of a fingertip [N/m]: a joint of 5 N m/rad, DexGraspBench's hands, at 7 cm."""
 
-    damping_ratio: float = 0.7
-    """Damping of that spring, relative to critical."""
-
     tip_mass: float = 0.05
     """Mass of a fingertip [kg]."""
-
-    tip_radii: tuple[float, ...] = (0.04, 0.01, 0.0025)
-    """Radii of the fingertips over the largest distance of a contact from the centre of mass: the first that touches
-    nothing but what was planned is taken."""
 
     # Schedule
     squeeze_time: float
@@ -93,8 +59,3 @@ class BenchSettings:
 
     contact_at_end: bool = False
     """Whether every fingertip must touch the object at the end."""
-
-    @property
-    def damping(self) -> float:
-        """Damping of a fingertip, 2 zeta sqrt(K m) [N s/m]."""
-        return 2 * self.damping_ratio * float((self.stiffness * self.tip_mass) ** 0.5)

@@ -15,10 +15,11 @@ from planner.errors import SettingError, SimulationError
 from planner.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.experiment import Experiment, set_up
+from sim.final_state import FinalState
 from sim.measurement import Measurement, measure
 from sim.protocol import ACTIVE, ValidationProtocol
 from sim.schedule import fractions
-from sim.trial import FinalState, Trial, run
+from sim.trial import Trial, run
 
 FAR = 0.3
 """A lost object that has moved so far is left there: translation relative to the reach, rotation in radians."""

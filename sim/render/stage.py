@@ -11,13 +11,13 @@ import numpy as np
 
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
-from sim.composer import mjcf
 from sim.experiment import Experiment
-from sim.geometry import add_part
 from sim.render.palette import BACKGROUND, OBJECT, rgba
 from sim.render.view import FIELD, View
-from sim.scene import OBJECT as BODY
-from sim.scene import PRECISION
+from sim.scene.composer import mjcf
+from sim.scene.floating_object import OBJECT as BODY
+from sim.scene.part_geom import add_part
+from sim.scene.scene import PRECISION
 
 HEAD = "head"
 """Name of the mesh of arrows' heads."""

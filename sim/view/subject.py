@@ -22,7 +22,7 @@ from sim.render.drawn_motion import DrawnPose
 from sim.render.load import Load, placed_load
 from sim.render.outline import visible_edges
 from sim.render.view import View, best_direction
-from sim.similarity import Similarity
+from sim.scene.units import Similarity
 
 TIP_RADIUS = 0.012
 """Radius of a planned fingertip, which has none, relative to the object's size."""

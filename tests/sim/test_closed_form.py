@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from planner.contacts import Contacts
+from sim.experiment import experiment_scene
 from sim.measurement import Measurement, measure
-from sim.object_joints import FreeJoint
 from sim.protocol import ACTIVE, ValidationProtocol
-from sim.scene import build_scene
-from sim.similarity import similarity
+from sim.scene.object_joints import FreeJoint
+from sim.scene.units import similarity
 from sim.trial import Trial, run
 from tests.sim.planned import box
 
@@ -22,7 +22,8 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: Validation
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
     units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
-    scene = build_scene([box((0.05, 0.02, 0.03))], contacts, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint())
+    touching = units.contacts(contacts)
+    scene = experiment_scene([box((0.05, 0.02, 0.03))], touching, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint())
     down = np.zeros((len(weights), 6))
     down[:, 2] = -weights
     press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)

@@ -5,9 +5,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from sim.force_law import finger_forces, saturated
+from sim.force_law import FingerLaw, saturated
 
 VECTORS = arrays(float, (5, 3), elements=st.floats(-1e3, 1e3))
+LAW = FingerLaw(tip_mass=0.01, stiffness=100.0, damping_ratio=1.0)
+"""Its damping, 2 zeta sqrt(K m), is 2 N s/m."""
 CAPS = arrays(float, (5,), elements=st.floats(1e-3, 1e3))
 
 
@@ -23,11 +25,11 @@ def test_saturation_caps_the_norm_and_keeps_the_direction(forces: np.ndarray, ca
 def test_the_total_of_feed_forward_and_spring_respects_the_cap(
     feed_forward: np.ndarray, displacements: np.ndarray, velocities: np.ndarray, caps: np.ndarray
 ) -> None:
-    forces = finger_forces(feed_forward, displacements, velocities, caps, stiffness=100.0, damping=1.4)
+    forces = LAW.forces(feed_forward, displacements, velocities, caps)
     assert (np.linalg.norm(forces, axis=1) <= caps * (1 + 1e-12)).all()
 
 
 def test_the_spring_pulls_back_and_the_damper_against_the_motion() -> None:
     moved, moving = np.array([0.01, 0, 0]), np.array([0, 0.2, 0])
-    force = finger_forces(np.array([0, 0, 1.0]), moved, moving, np.array(9.0), stiffness=100.0, damping=2.0)
+    force = LAW.forces(np.array([0, 0, 1.0]), moved, moving, np.array(9.0))
     np.testing.assert_allclose(force, [-1.0, -0.4, 1.0])

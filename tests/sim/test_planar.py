@@ -18,8 +18,8 @@ from planner.planning import plan
 from planner.task import make_task
 from sim.displacement import displaced_grasps
 from sim.experiment import set_up
-from sim.object_joints import FreeJoint, PlanarJoints, joints_of
 from sim.protocol import STRICT
+from sim.scene.object_joints import FreeJoint, PlanarJoints, joints_of
 from sim.validation import Validation, validate_contacts
 from sim.verdict import Verdict
 from tests.commands import ASSETS

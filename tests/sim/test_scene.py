@@ -9,10 +9,11 @@ import pytest
 from planner.contacts import Contacts
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
-from sim.object_joints import FreeJoint
+from sim.experiment import experiment_scene
 from sim.protocol import ACTIVE
-from sim.scene import Scene, build_scene
-from sim.similarity import Similarity, similarity
+from sim.scene.object_joints import FreeJoint
+from sim.scene.scene import Scene
+from sim.scene.units import Similarity, similarity
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 SHARED = Path(__file__).resolve().parents[3] / "shared" / "objects"
@@ -84,7 +85,9 @@ def scene_of(rigid_object: RigidObject) -> tuple[Scene, Similarity]:
     points = rigid_object.center_of_mass + rigid_object.size * np.array([(-3.0, 0, 0), (3.0, 0, 0)])
     contacts = Contacts(points=points, normals=np.array([(1.0, 0, 0), (-1.0, 0, 0)]), friction=np.full(2, 0.5))
     units = similarity(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
-    return build_scene(rigid_object.parts, contacts, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint()), units
+    return experiment_scene(
+        rigid_object.parts, units.contacts(contacts), units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint()
+    ), units
 
 
 def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:

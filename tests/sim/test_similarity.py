@@ -5,7 +5,7 @@ import pytest
 
 from planner.contacts import Contacts, grasp_maps
 from planner.errors import SimulationError
-from sim.similarity import similarity
+from sim.scene.units import similarity
 
 POINTS = np.array([(0.3, 0.1, 0.0), (-0.2, 0.0, 0.1)])
 CONTACTS = Contacts(points=POINTS, normals=np.array([(1.0, 0, 0), (0, 1.0, 0)]), friction=np.ones(2))

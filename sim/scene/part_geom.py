@@ -8,8 +8,8 @@ from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.rigid_object import ConvexPart
-from sim.composer import mjcf
-from sim.similarity import Similarity
+from sim.scene.composer import mjcf
+from sim.scene.units import Similarity
 
 PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule
 """Parts that MuJoCo knows by a pose and a size."""

@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from sim.protocol import ValidationProtocol
-from sim.scene import Scene
+from sim.scene.scene import Scene
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -7,7 +7,7 @@ import numpy as np
 
 from planner.objects.extrusion import Slab
 from planner.objects.rigid_object import RigidObject
-from sim.composer import mjcf
+from sim.scene.composer import mjcf
 
 
 class ObjectJoints(Protocol):
