@@ -1,6 +1,6 @@
 """The measuring protocol: every constant of the experiment and every threshold of its verdict.
 
-The experiment is non-dimensional (sim/similarity.py): the farthest contact lies `reach` from the reference
+The experiment is non-dimensional (sim/scene/units.py): the farthest contact lies `reach` from the reference
 point and the predicted rho is one newton. How MuJoCo computes is in sim/scene/physics.py, the fingers in
 sim/force_law.py.
 """

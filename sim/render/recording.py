@@ -2,7 +2,7 @@
 
 Two simulations run as in `grasp-validate`, with the cap above and below the force that the wrench needs. There a lost
 object is left alone as soon as its outcome is known; here it is followed until it has gone FAR, so that one sees where
-it goes. Everything is in the units of the experiment (sim/similarity.py).
+it goes. Everything is in the units of the experiment (sim/scene/units.py).
 """
 
 from dataclasses import dataclass, replace
