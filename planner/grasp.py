@@ -9,7 +9,7 @@ import numpy as np
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts
 from planner.errors import CandidateError
-from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
 from planner.search.result import Status, relative_gap
 from planner.task import Task
@@ -122,8 +122,8 @@ class Certificate:
 class Grasp:
     """The best grasp found, its forces, its proven bound and where it came from."""
 
-    file: Path
-    """The file of the object: MJCF, or a planar outline."""
+    source: ObjectSource
+    """The file of the object, MJCF or a planar outline, and how it is read."""
 
     sha256: str
     """Digest of the object's files."""
@@ -166,14 +166,16 @@ class Grasp:
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
 
-    given: GivenMass = NOTHING_GIVEN
-    """Mass properties that the user gave in place of those of the object's file."""
-
     candidate_choice: CandidateChoice | None = None
     """How the candidates were chosen, where it is known."""
 
     command: str | None = None
     """The command line that made the grasp, as a shell takes it; None where it was made from Python."""
+
+    @property
+    def file(self) -> Path:
+        """The file of the object: MJCF, or a planar outline."""
+        return self.source.file
 
     @property
     def found(self) -> bool:

@@ -77,7 +77,8 @@ def listed_candidates(
     distance = np.full(len(points), np.inf)
     hidden = np.full(len(points), np.inf)
     part, facet = np.zeros(len(points), dtype=int), np.zeros(len(points), dtype=int)
-    for index, each in enumerate(rigid_object.parts):
+    for index in np.flatnonzero(rigid_object.touchable):
+        each = rigid_object.parts[index]
         part_here, facet_here = np.full(len(points), index), each.nearest_facet(points)
         feet, normals = project(rigid_object, points, part_here, facet_here)
         away = np.linalg.norm(points - feet, axis=1)
@@ -104,9 +105,10 @@ def _require_on_surface(
             "between parts; move it to the outside"
         )
     inside = max(float(part.depth(points[first : first + 1])[0]) for part in rigid_object.parts) > 0
+    touchable = "" if rigid_object.touchable.all() else f" of body '{rigid_object.body}', the only one to be touched"
     how_far = f"{distance[first]:.3g} m" if np.isfinite(distance[first]) else "far"
     raise CandidateError(
-        f"{point}, lies {how_far} {'inside' if inside else 'off'} the collision surface; "
+        f"{point}, lies {how_far} {'inside' if inside else 'off'} the collision surface{touchable}; "
         f"at most {tolerance:.3g} m is allowed"
     )
 

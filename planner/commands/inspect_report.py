@@ -1,7 +1,6 @@
 """What `grasp-inspect` says."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -9,25 +8,30 @@ from scipy.spatial import cKDTree
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.exports.mjcf import PRIMITIVES
-from planner.objects.compiled import body_tree, compile_mjcf
+from planner.objects.compiled import body_tree, compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.planar_object import PlanarObject
+from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from planner.objects.surface_survey import survey_surface
 from planner.objects.visual import visual_difference, warn_of_difference
 
 WORLD = 0
 
+SAME_AXES = 1e-6
+"""Angle below which a body is not turned [rad]."""
 
-def bodies(path: Path) -> Iterator[str]:
+
+def bodies(source: ObjectSource) -> Iterator[str]:
     """The bodies of a file, indented below their parents.
 
     Raises:
         ObjectError: If the file cannot be compiled.
     """
-    model, _ = compile_mjcf(path)
+    model, _ = compile_source(source)
     tree = body_tree(model)
     depths = [0]
     for body in range(1, len(tree.names)):
@@ -36,7 +40,7 @@ def bodies(path: Path) -> Iterator[str]:
         indent = "  " * (depths[body] - 1)
         yield (
             f"body        {indent}{tree.names[body]}: {tree.masses[body]:.4g} kg, "
-            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(tree.joints[body], 'joint')}"
+            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(len(tree.joints[body]), 'joint')}"
         )
     if tree.colliding_geoms[WORLD]:
         yield f"body        world: {_counted(tree.colliding_geoms[WORLD], 'colliding geom')} that no body holds"
@@ -50,9 +54,11 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     yield f"mass        {rigid_object.mass:.4g} kg{density}"
     yield f"centre      ({_millimetres(rigid_object.center_of_mass)}) mm, the centre of mass in the body frame"
     yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in rigid_object.extent)} mm"
+    yield f"pose        {_placed(rigid_object.pose_in_file)}"
     width = max(len(part.geom) for part in rigid_object.parts)
-    for part in rigid_object.parts:
-        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}"
+    for number, part in enumerate(rigid_object.parts):
+        apart = "; not for fingers (--body)" if number in rigid_object.untouchable else ""
+        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}{apart}"
     difference = visual_difference(rigid_object)
     yield f"visual      {difference or 'no mesh to compare with what collides'}"
     warn_of_difference(rigid_object, difference)
@@ -103,6 +109,13 @@ def _shape(part: ConvexPart) -> str:
     return f"hull of {edges} mm{facets}"
 
 
+def _placed(pose: Pose) -> str:
+    """Where the file places the body frame, in which everything else is said."""
+    angle, axis = pose.turn
+    turned = f"turned by {np.rad2deg(angle):.4g}° about ({_rounded(axis)})" if angle > SAME_AXES else "not turned"
+    return f"the body frame lies at ({_millimetres(pose.position)}) mm in the world of the file, {turned}"
+
+
 def _counted(number: int, noun: str) -> str:
     return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
 
@@ -116,4 +129,8 @@ def _spacing(points: np.ndarray) -> float:
 
 
 def _millimetres(point: np.ndarray) -> str:
-    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)
+    return _rounded(1000 * point)
+
+
+def _rounded(vector: np.ndarray) -> str:
+    return ", ".join(f"{coordinate + 0.0:.4g}" for coordinate in vector)

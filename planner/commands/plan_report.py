@@ -32,8 +32,23 @@ class Report:
         )
         if isinstance(rigid_object, RigidObject) and not rigid_object.given.nothing:
             self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
+        if isinstance(rigid_object, RigidObject):
+            self._as_read(rigid_object)
         self._say(f"task        {task.name}: {len(task.wrenches)} wrenches")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
+
+    def _as_read(self, rigid_object: RigidObject) -> None:
+        """Joints that are frozen, and parts that are only obstacles."""
+        source = rigid_object.source
+        if source.locked_joints:
+            where = "qpos0" if source.keyframe is None else f"keyframe '{source.keyframe}'"
+            self._say(f"locked      {', '.join(source.locked_joints)}: one rigid object, its joints as at {where}")
+        if rigid_object.untouchable:
+            total = len(rigid_object.parts)
+            self._say(
+                f"touched     {total - len(rigid_object.untouchable)} of {total} geoms, those of body "
+                f"'{rigid_object.body}'; the others are of the object, and obstacles"
+            )
 
     def decomposed(self, file: Path, parts: int) -> None:
         """What is planned on in place of the object's file."""

@@ -8,6 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
+from planner.objects.vectors import norm
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Pose:
@@ -36,6 +38,15 @@ class Pose:
             ]
         )
 
+    @property
+    def turn(self) -> tuple[float, np.ndarray]:
+        """Angle of the rotation, 0 to pi [rad], and the unit axis about which it turns, shape (3,)."""
+        w, vector = self.quaternion[0], self.quaternion[1:]
+        length = norm(vector)
+        if length == 0:
+            return 0.0, np.array([0.0, 0.0, 1.0])
+        return float(2 * np.arctan2(length, abs(w))), vector / length * np.copysign(1.0, w)
+
     def rotate(self, vectors: np.ndarray) -> np.ndarray:
         """Free vectors of G in the axes of B, shape (..., 3)."""
         return _combine(vectors, self.rotation.T)
@@ -47,6 +58,11 @@ class Pose:
     def to_local(self, points: np.ndarray) -> np.ndarray:
         """Points of B in G, shape (..., 3) [m]."""
         return _combine(points - self.position, self.rotation)
+
+    def inverse(self) -> "Pose":
+        """X_GB, the pose of B in G."""
+        conjugate = Pose(position=np.zeros(3), quaternion=self.quaternion * np.array([1.0, -1.0, -1.0, -1.0]))
+        return Pose(position=conjugate.rotate(-self.position), quaternion=conjugate.quaternion)
 
     def compose(self, child: "Pose") -> "Pose":
         """Pose in B of a frame whose pose in G is `child`."""

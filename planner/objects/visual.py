@@ -12,7 +12,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.objects.compiled import CompiledObject, compile_object
 from planner.objects.exposure import exposed
 from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
@@ -72,8 +72,7 @@ def visual_difference(rigid_object: RigidObject) -> VisualDifference | None:
     Raises:
         ObjectError: If the file cannot be compiled any more.
     """
-    model, _ = compile_mjcf(rigid_object.file)
-    triangles = seen_triangles(choose_object(model, rigid_object.body))
+    triangles = seen_triangles(compile_object(rigid_object.source))
     if not len(triangles):
         return None
     generator = np.random.Generator(np.random.PCG64(0))

@@ -11,6 +11,7 @@ import pytest
 
 from planner.errors import ObjectError
 from planner.objects.mjcf import read_object
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
 from planner.objects.parts.cylinder import Cylinder
@@ -113,7 +114,7 @@ GEOM = '<geom size=".1"/>'
 def test_the_object_is_the_body_asked_for_or_the_only_one(
     tmp_path: Path, bodies: str, asked: str | None, chosen: str
 ) -> None:
-    assert read_object(written(tmp_path, world(bodies)), asked).body == chosen
+    assert read_object(ObjectSource(file=written(tmp_path, world(bodies)), body=asked)).body == chosen
 
 
 FLEX = (
@@ -173,7 +174,7 @@ TORUS = '<plugin instance="torus"/>'
 )
 def test_what_is_no_single_rigid_object_is_refused(tmp_path: Path, text: str, body: str | None, message: str) -> None:
     with pytest.raises(ObjectError, match=message):
-        read_object(written(tmp_path, text), body)
+        read_object(ObjectSource(file=written(tmp_path, text), body=body))
 
 
 def test_a_missing_file_is_refused(tmp_path: Path) -> None:
