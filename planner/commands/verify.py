@@ -16,7 +16,7 @@ class Options:
     """Re-check a grasp file with none of the code that found it: forces, rho by another solver, and the bound."""
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json."""
 
     json: bool = False
     """Print one JSON document with the outcome to standard output; words then go to standard error."""
