@@ -33,6 +33,7 @@ from planner.grasp_document import (
 from planner.grasp_side_file import WITH_SIDE_FILE, with_side_file
 from planner.json_document import MOST_BYTES, Header, decode_json
 from planner.objects.given_mass import GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
 from planner.task import Task
 
@@ -91,18 +92,11 @@ def read_grasp(path: Path | str) -> Grasp:
 
 
 def _document(path: Path, grasp: Grasp) -> GraspDocument:
-    contacts, center = grasp.contacts, grasp.given.center_of_mass
+    contacts = grasp.contacts
     return GraspDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
-        object=ObjectRecord(
-            mjcf=_relative(grasp.file, path.parent),
-            sha256=grasp.sha256,
-            body=grasp.body,
-            mass=grasp.mass,
-            given_mass=grasp.given.mass,
-            given_center_of_mass=None if center is None else center.tolist(),
-        ),
+        object=_object_record(path, grasp),
         task=TaskRecord(
             name=grasp.task.name,
             reference_point=grasp.task.reference_point.tolist(),
@@ -130,6 +124,20 @@ def _document(path: Path, grasp: Grasp) -> GraspDocument:
         certificate=_certificate_record(grasp.certificate),
         planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
         candidate_choice=grasp.candidate_choice,
+    )
+
+
+def _object_record(path: Path, grasp: Grasp) -> ObjectRecord:
+    source, center = grasp.source, grasp.source.given.center_of_mass
+    return ObjectRecord(
+        mjcf=_relative(source.file, path.parent),
+        sha256=grasp.sha256,
+        body=grasp.body,
+        mass=grasp.mass,
+        given_mass=source.given.mass,
+        given_center_of_mass=None if center is None else center.tolist(),
+        locked_joints=list(source.locked_joints),
+        keyframe=source.keyframe,
     )
 
 
@@ -180,7 +188,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
     certificate = _certificate(document.certificate)
     shape = (len(contacts), certificate.candidates.dimension)
     return Grasp(
-        file=path.parent / document.object.mjcf,
+        source=_source(path, document.object),
         sha256=document.object.sha256,
         body=document.object.body,
         mass=document.object.mass,
@@ -200,7 +208,6 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         search=document.search,
         certificate=certificate,
         packages=document.planner.packages,
-        given=_given(document.object),
         candidate_choice=document.candidate_choice,
         command=document.planner.command,
     )
@@ -221,6 +228,12 @@ def _certificate(record: CertificateRecord) -> Certificate:
     )
 
 
-def _given(record: ObjectRecord) -> GivenMass:
+def _source(path: Path, record: ObjectRecord) -> ObjectSource:
     center = record.given_center_of_mass
-    return GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center))
+    return ObjectSource(
+        file=path.parent / record.mjcf,
+        body=record.body,
+        given=GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center)),
+        locked_joints=tuple(record.locked_joints),
+        keyframe=record.keyframe,
+    )
