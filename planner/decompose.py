@@ -12,6 +12,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from trimesh import Trimesh
+from trimesh.util import concatenate
 
 from planner.errors import ObjectError
 from planner.exports.mjcf import write_mjcf
@@ -45,7 +47,8 @@ def decompose(source: ObjectSource, folder: Path) -> tuple[ObjectSource, int]:
         folder: Where to write NAME.<digest>.convex.xml.
 
     Returns:
-        What to plan on (`source` itself if no hollow is filled) and the number of its convex parts.
+        What to plan on (`source` itself if no hollow is filled) and the number of its convex parts. A mesh of which
+        MuJoCo reads one group of several is cut from the faces of all.
 
     Raises:
         ObjectError: If the object cannot be read, `coacd` is not installed, or it finds no convex part.
@@ -53,7 +56,7 @@ def decompose(source: ObjectSource, folder: Path) -> tuple[ObjectSource, int]:
     """
     compiled = compile_object(source)
     rigid_object = as_compiled(source, compiled)
-    hollows = filled_hollows(compiled, rigid_object.parts)
+    hollows = {*filled_hollows(compiled, rigid_object.parts), *compiled.parts_of_several_groups}
     if not hollows:
         return source, len(rigid_object.parts)
     out = folder / f"{source.file.stem}.{_key(rigid_object)}.convex.xml"
@@ -79,6 +82,8 @@ def _cut(rigid_object: RigidObject, compiled: CompiledObject, hollows: Container
 def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction: float) -> list[Polyhedron]:
     """Convex parts of a mesh, named after its geom; slivers without a face to touch are left out.
 
+    Pieces of the mesh that are convex already stay exactly as they are.
+
     Args:
         vertices: Shape (n, 3) [m].
         faces: Vertex numbers of its triangles, shape (faces, 3).
@@ -88,21 +93,40 @@ def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction
     Raises:
         ObjectError: If `coacd` is not installed or finds no part.
     """
+    convex, hollow = _pieces(vertices, faces)
+    parts = []
+    for number, corners in enumerate([*convex, *(_run_coacd(*hollow) if hollow else ())]):
+        try:
+            parts.append(Polyhedron.hull(corners, geom=f"{geom}/{number}", friction=friction))
+        except ObjectError as error:
+            logger.warning("a piece of geom '%s' was left out: %s", geom, error)
+    if not parts:
+        raise ObjectError(f"coacd finds no convex part in geom '{geom}'; decompose its mesh by hand")
+    return parts
+
+
+def _pieces(vertices: np.ndarray, faces: np.ndarray) -> tuple[list[np.ndarray], tuple[np.ndarray, np.ndarray] | None]:
+    """Corners of the closed convex pieces of a mesh, and the mesh of all others; one with cavities stays whole."""
+    mesh = Trimesh(vertices, faces)
+    pieces = mesh.split(only_watertight=False)
+    convex = [piece.is_watertight and piece.is_convex for piece in pieces]
+    if any(piece.is_watertight and piece.volume < 0 for piece in pieces) or not any(convex):
+        return [], (vertices, faces)
+    hollow = [piece for piece, whole in zip(pieces, convex, strict=True) if not whole]
+    rest = concatenate(hollow) if hollow else None
+    solids = [piece.vertices for piece, whole in zip(pieces, convex, strict=True) if whole]
+    return solids, None if rest is None else (rest.vertices, rest.faces)
+
+
+def _run_coacd(vertices: np.ndarray, faces: np.ndarray) -> list[np.ndarray]:
+    """Corners of the convex pieces into which `coacd` cuts a mesh."""
     try:
         import coacd
     except ImportError as error:
         raise ObjectError("--decompose needs coacd; install it with: pip install 'rhograsp[decompose]'") from error
     coacd.set_log_level("error")
     pieces = coacd.run_coacd(coacd.Mesh(vertices, faces.astype(np.int32)), **SETTINGS)
-    parts = []
-    for number, (corners, _) in enumerate(pieces):
-        try:
-            parts.append(Polyhedron.hull(np.asarray(corners), geom=f"{geom}/{number}", friction=friction))
-        except ObjectError as error:
-            logger.warning("a piece of geom '%s' was left out: %s", geom, error)
-    if not parts:
-        raise ObjectError(f"coacd finds no convex part in geom '{geom}'; decompose its mesh by hand")
-    return parts
+    return [np.asarray(corners) for corners, _ in pieces]
 
 
 def _key(rigid_object: RigidObject) -> str:

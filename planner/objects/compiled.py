@@ -102,6 +102,12 @@ class CompiledObject:
                 found[mesh] = file
         return found
 
+    @property
+    def parts_of_several_groups(self) -> list[int]:
+        """Places in `colliding` of the mesh geoms that are read in part."""
+        meshes = {geom: int(self.model.geom_dataid[geom]) for geom in self.meshes(colliding=True)}
+        return [self.colliding.index(geom) for geom, mesh in meshes.items() if mesh in self.partly_read]
+
     def _mesh_path(self, mesh: int) -> Path:
         start = int(self.model.mesh_pathadr[mesh])
         if start < 0:
