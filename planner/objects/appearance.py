@@ -67,9 +67,8 @@ def _take_off_textures(spec: mujoco.MjSpec) -> None:
 
 
 def _is_about(complaint: str, mesh: mujoco.MjsMesh) -> bool:
-    """Whether a complaint names a mesh, or its file."""
-    by_file = bool(mesh.file) and f"'{mesh.file}'" in complaint
-    return by_file or ("mesh" in complaint and f"Element name '{mesh.name}'" in complaint)
+    """Whether a complaint names a mesh, or its file; it may be about something else of that name, and then stays."""
+    return f"Element name '{mesh.name}'" in complaint or (bool(mesh.file) and f"'{mesh.file}'" in complaint)
 
 
 def _first_line(complaint: str) -> str:

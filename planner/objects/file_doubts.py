@@ -33,7 +33,7 @@ def _lost_faces(compiled: CompiledObject) -> Iterator[str]:
     """Meshes of which MuJoCo reads one group of several."""
     model = compiled.model
     for mesh, file in compiled.partly_read.items():
-        groups = ", ".join(f"'{name}' of {count} faces" for name, count in file.groups.items())
+        groups = ", ".join(f"'{name}' of {count} faces" for name, count in file.groups)
         yield (
             f"the OBJ of mesh '{name_at(model, model.name_meshadr, mesh, 'mesh')}' holds {len(file.groups)} objects: "
             f"{groups}; MuJoCo reads the faces of the first only, for mass and looks, and hulls the corners of all; "

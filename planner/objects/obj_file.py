@@ -21,8 +21,8 @@ class ObjFile:
     faces: np.ndarray
     """Triangles of vertex numbers, those of all groups, shape (faces, 3); polygons are cut into fans."""
 
-    groups: dict[str, int]
-    """How many of the triangles belong to each group that has any, by its name; the first is the one MuJoCo reads."""
+    groups: tuple[tuple[str, int], ...]
+    """Name and number of triangles of each group that has any; the first is the one MuJoCo reads."""
 
 
 def is_obj(path: Path) -> bool:
@@ -51,22 +51,21 @@ def _faces_before_tag(content: bytes) -> bool:
 
 
 def _parsed(text: str) -> ObjFile:
-    vertices, group, faces = 0, "unnamed", []
-    groups: dict[str, int] = {}
+    vertices, faces, groups = 0, [], [("unnamed", 0)]
     for line in text.splitlines():
         word, *rest = line.split() or [""]
         match word:
             case "v":
                 vertices += 1
             case "o" | "g":
-                group = " ".join(rest) or "unnamed"
+                groups.append((" ".join(rest) or "unnamed", 0))
             case "f":
                 corners = [int(corner.split("/")[0]) for corner in rest]
                 corners = [corner - 1 if corner > 0 else vertices + corner for corner in corners]
                 fan = [(corners[0], *pair) for pair in pairwise(corners[1:])]
-                groups[group] = groups.get(group, 0) + len(fan)
+                groups[-1] = groups[-1][0], groups[-1][1] + len(fan)
                 faces += fan
     triangles = np.array(faces, dtype=np.int64).reshape(-1, 3)
     if len(triangles) and (triangles.min() < 0 or triangles.max() >= vertices):
         raise ValueError("a face names a vertex that is not there")
-    return ObjFile(vertices=vertices, faces=triangles, groups=groups)
+    return ObjFile(vertices=vertices, faces=triangles, groups=tuple(group for group in groups if group[1]))

@@ -107,7 +107,6 @@ GEOM = '<geom size=".1"/>'
         (f'<body name="a">{GEOM}</body><body name="b">{GEOM}</body>', "b", "b"),
         (f'<body name="table">{GEOM}</body><body name="b"><freejoint/>{GEOM}</body>', None, "b"),
         (f'<body name="eye"><camera/></body><body name="b">{GEOM}</body>', None, "b"),
-        (f'<body name="lid"><joint/>{GEOM}<body name="x"><joint/>{GEOM}</body></body>', "x", "x"),
         (f"<body><body name='x'><joint type='slide'/><joint/>{GEOM}</body></body>", None, "body1"),
     ],
 )
@@ -194,8 +193,9 @@ def test_a_missing_texture_is_only_warned_of(tmp_path: Path, caplog: pytest.LogC
     assert "gone.png" in caplog.text
 
 
-def test_a_missing_mesh_is_refused_even_beside_a_missing_texture(tmp_path: Path) -> None:
+def test_a_missing_mesh_that_collides_is_refused_even_beside_a_missing_texture(tmp_path: Path) -> None:
     text = TEXTURED.replace("<asset>", '<asset><mesh file="away.obj"/>')
+    text = text.replace("<body>", '<body><geom type="mesh" mesh="away"/>')
     with pytest.raises(ObjectError, match=r"gone\.png|away\.obj"):
         read_object(written(tmp_path, text))
 
