@@ -43,7 +43,8 @@ class Options:
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
     is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
-    along each axis; anything else is a TOML file."""
+    along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
+    frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat

@@ -17,6 +17,9 @@ from planner.objects.rigid_object import RigidObject
 from planner.search.result import Status
 from planner.task import Task
 
+SEEN_TURN = np.deg2rad(0.1)
+"""Least turn of the body in its file that is worth a word [rad]."""
+
 
 class Report:
     """Says it in lines that stay."""
@@ -32,7 +35,7 @@ class Report:
         )
         if isinstance(rigid_object, RigidObject) and not rigid_object.given.nothing:
             self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
-        self._say(f"task        {task.name}: {len(task.wrenches)} wrenches")
+        self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
 
     def decomposed(self, file: Path, parts: int) -> None:
@@ -118,6 +121,14 @@ def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
     return f"{spread} (the object's own)" if (friction == own).all() else spread
 
 
+def _wrenches(rigid_object: Graspable, task: Task) -> str:
+    """How many there are, and in which frame, with how far the file turns it."""
+    number = f"{len(task.wrenches)} wrench{'' if len(task.wrenches) == 1 else 'es'}"
+    turn = rigid_object.pose_in_file.angle if isinstance(rigid_object, RigidObject) else 0.0
+    turned = f", which the file turns by {np.rad2deg(turn):.3g}°" if turn > SEEN_TURN else ""
+    return f"{number} in the body frame{turned}, moments about ({_millimetres(task.reference_point)}) mm"
+
+
 def _given(given: GivenMass) -> str:
     """The mass properties that the user gave."""
     mass = [] if given.mass is None else [f"mass {given.mass:g} kg"]
@@ -126,4 +137,4 @@ def _given(given: GivenMass) -> str:
 
 
 def _millimetres(point: np.ndarray) -> str:
-    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)
+    return ", ".join(f"{round(1000 * coordinate, 3) + 0.0:.7g}" for coordinate in point)  # + 0.0: no "-0"

@@ -35,6 +35,15 @@ class CompiledObject:
     colliding: tuple[int, ...]
     """Geoms of the object that MuJoCo tests for contact with others."""
 
+    @property
+    def pose_in_file(self) -> Pose:
+        """X_WB at qpos0: the way from the world W down to the object's body."""
+        model, body, pose = self.model, next(iter(self.poses)), Pose.identity()
+        while body:
+            here = Pose(position=model.body_pos[body].copy(), quaternion=model.body_quat[body].copy())
+            body, pose = int(model.body_parentid[body]), here.compose(pose)
+        return pose
+
     def geom_name(self, geom: int) -> str:
         """Its name, or `geom<id>` where it has none."""
         return self.model.geom(geom).name or f"geom{geom}"

@@ -82,6 +82,8 @@ def as_compiled(path: Path, compiled: CompiledObject) -> RigidObject:
         center_of_mass=center_of_mass,
         inertia=inertia,
         extent=np.ptp(corners, axis=0),
+        pose_in_file=compiled.pose_in_file,
+        gravity=float(np.linalg.norm(compiled.model.opt.gravity)),
     )
 
 

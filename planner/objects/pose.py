@@ -36,6 +36,12 @@ class Pose:
             ]
         )
 
+    @property
+    def angle(self) -> float:
+        """Of the rotation, between 0 and pi [rad]."""
+        w, *xyz = self.quaternion
+        return float(2 * np.arctan2(np.linalg.norm(xyz), abs(w)))
+
     def rotate(self, vectors: np.ndarray) -> np.ndarray:
         """Free vectors of G in the axes of B, shape (..., 3)."""
         return _combine(vectors, self.rotation.T)

@@ -3,7 +3,7 @@
 Frame: the chosen MJCF body's frame B, SI.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
 from planner.objects.part import Part
+from planner.objects.pose import Pose
 
 
 class ConvexPart(Part, Protocol):
@@ -54,6 +55,12 @@ class RigidObject:
 
     extent: np.ndarray
     """Edge lengths of the collision surface's bounding box along the axes of B, shape (3,) [m]."""
+
+    pose_in_file: Pose = field(default_factory=Pose.identity)
+    """X_WB: where the file places the body in its world W, at qpos0."""
+
+    gravity: float | None = None
+    """Magnitude of the file's own `option gravity` [m/s^2]; None for objects that no file describes."""
 
     given: GivenMass = NOTHING_GIVEN
     """What of the mass properties the user gave in place of the file's."""
