@@ -14,6 +14,7 @@ Chosen by the name of a preset or by a TOML file:
 The set's axes are those of the frame. A planned task is always in the body frame B.
 """
 
+import logging
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -26,12 +27,15 @@ from planner.errors import TaskError
 from planner.objects.graspable import Graspable
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
+from planner.plausibility import gravity_doubts
 from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
-from planner.wrench_sets.presets import PRESETS
+from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Preset
 from planner.wrench_sets.values import finite_vector
 from planner.wrench_sets.wrench_set import WrenchSet
+
+logger = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -97,7 +101,7 @@ def make_task(choice: str, object: Graspable) -> Task:
     """
     center = object.center_of_mass
     if choice in PRESETS:
-        preset = PRESETS[choice]().for_object(object, center)
+        preset = _preset(PRESETS[choice](), object, center)
         return Task(name=choice, reference_point=center, wrenches=preset.vertices())
     sample = SAMPLES[len(center)]
     file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT, sample)
@@ -109,6 +113,14 @@ def make_task(choice: str, object: Graspable) -> Task:
         return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
     except TaskError as error:
         raise TaskError(f"task file {choice}: {error}{sample}") from error
+
+
+def _preset(preset: Preset, object: Graspable, point: np.ndarray) -> WrenchSet:
+    """Its set for one object; those that take the weight say where the object's file has another gravity."""
+    if isinstance(object, RigidObject) and not isinstance(preset, Axes6):
+        for doubt in gravity_doubts(object.gravity, GRAVITY):
+            logger.warning("%s", doubt)
+    return preset.for_object(object, point)
 
 
 def _stated_frame(file: TaskFile, object: Graspable) -> Pose | None:
@@ -141,7 +153,7 @@ def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> 
     fields = {key: value for key, value in table.items() if key != "kind"}
     try:
         if kind in PRESETS:
-            return msgspec.convert(fields, PRESETS[kind]).for_object(object, point)
+            return _preset(msgspec.convert(fields, PRESETS[kind]), object, point)
         return msgspec.convert(fields, KINDS[kind])
     except msgspec.ValidationError as error:
         message = str(error) if "`$" in str(error) else f"{error} - at `$`"

@@ -1,5 +1,6 @@
 """From the user's word to candidates: a number, a grid, the paper's points, or a file of points."""
 
+import logging
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +14,9 @@ from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
+from planner.plausibility import friction_doubts, grid_doubts
+
+logger = logging.getLogger(__name__)
 
 GRID = "grid:"
 CASE3 = "case3"
@@ -44,8 +48,13 @@ def make_candidates(
     _check_fingertip(rigid_object, fingertip, spread=count is not None or choice.startswith(GRID))
     asked = CandidateChoice(candidates=choice, friction=friction, fingertip=fingertip, seed=seed)
     if isinstance(rigid_object, PlanarObject):
-        return replace(_planar_candidates(rigid_object, choice, count, friction), choice=asked)
-    return replace(_candidates_in_space(rigid_object, asked, count), choice=asked)
+        made = _planar_candidates(rigid_object, choice, count, friction)
+    else:
+        made = _candidates_in_space(rigid_object, asked, count)
+    gridded = grid_doubts(rigid_object, _spacing(choice)) if choice.startswith(GRID) else []
+    for doubt in [*gridded, *friction_doubts(made.contacts.friction)]:
+        logger.warning("%s", doubt)
+    return replace(made, choice=asked)
 
 
 def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, count: int | None) -> Candidates:

@@ -29,7 +29,7 @@ class Options:
     """The file to write."""
 
     wrench: int | None = None
-    """Which wrench's forces to show; by default the critical one."""
+    """Number of the wrench whose forces to show, from 0 as in the file; by default the critical one."""
 
     object: Path | None = None
     """Where the object's file is now, if it has moved."""

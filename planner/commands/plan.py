@@ -195,6 +195,7 @@ def _within_limits(
     limits = read_limits(options.limits, rigid_object) if options.limits else Limits()
     allowed = restricted(rigid_object, candidates, limits)
     report.restricted(allowed)
+    report.choice(len(allowed.candidates), options.fingers)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
     report.kinds(kinds)
     return limits, kinds

@@ -1,5 +1,6 @@
 """What `grasp-plan` says while it works and when it is done."""
 
+import logging
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,11 +12,15 @@ from planner.commands.console import Console
 from planner.grasp import Grasp
 from planner.limits.kinds import Kinds
 from planner.limits.restricted import Restricted, removals
+from planner.millimetres import in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
+from planner.plausibility import candidate_doubts
 from planner.search.result import Status
 from planner.task import Task
+
+logger = logging.getLogger(__name__)
 
 SEEN_TURN = np.deg2rad(0.1)
 """Least turn of the body in its file that is worth a word [rad]."""
@@ -29,7 +34,7 @@ class Report:
 
     def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
         """What is about to be searched."""
-        extent = " x ".join(f"{1000 * edge:.4g}" for edge in rigid_object.extent)
+        extent = " x ".join(in_mm(edge) for edge in rigid_object.extent)
         self._say(
             f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
         )
@@ -58,6 +63,11 @@ class Report:
                 f"limits      {sum(allowed.removed.values())} candidates are not for fingers: "
                 f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
             )
+
+    def choice(self, candidates: int, fingers: int) -> None:
+        """Whether there is much to choose from."""
+        for doubt in candidate_doubts(candidates, fingers):
+            logger.warning("%s", doubt)
 
     def kinds(self, kinds: Kinds) -> None:
         """Fingers that differ, if they do."""
@@ -126,15 +136,11 @@ def _wrenches(rigid_object: Graspable, task: Task) -> str:
     number = f"{len(task.wrenches)} wrench{'' if len(task.wrenches) == 1 else 'es'}"
     turn = rigid_object.pose_in_file.angle if isinstance(rigid_object, RigidObject) else 0.0
     turned = f", which the file turns by {np.rad2deg(turn):.3g}°" if turn > SEEN_TURN else ""
-    return f"{number} in the body frame{turned}, moments about ({_millimetres(task.reference_point)}) mm"
+    return f"{number} in the body frame{turned}, moments about {point_in_mm(task.reference_point)} mm"
 
 
 def _given(given: GivenMass) -> str:
     """The mass properties that the user gave."""
     mass = [] if given.mass is None else [f"mass {given.mass:g} kg"]
     center = given.center_of_mass
-    return ", ".join(mass + ([] if center is None else [f"centre of mass ({_millimetres(center)}) mm"]))
-
-
-def _millimetres(point: np.ndarray) -> str:
-    return ", ".join(f"{round(1000 * coordinate, 3) + 0.0:.7g}" for coordinate in point)  # + 0.0: no "-0"
+    return ", ".join(mass + ([] if center is None else [f"centre of mass {point_in_mm(center)} mm"]))

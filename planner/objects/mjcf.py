@@ -25,6 +25,7 @@ from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.plausibility import size_doubts
 
 logger = logging.getLogger(__name__)
 
@@ -57,7 +58,7 @@ def read_object(path: Path, body: str | None = None, given: GivenMass = NOTHING_
             rigid_object.parts[part].geom,
             100 * share,
         )
-    for doubt in mass_doubts(rigid_object):
+    for doubt in [*size_doubts(rigid_object), *mass_doubts(rigid_object)]:
         logger.warning("%s", doubt)
     return rigid_object
 

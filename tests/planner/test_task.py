@@ -79,7 +79,7 @@ def test_a_task_in_the_world_frame_is_turned_into_the_body_as_its_file_places_it
     bar = read_object(tmp_path / "bar.xml", "bar")
     task = make_task(written(tmp_path, WORLD), bar)
     np.testing.assert_allclose(task.reference_point, [0.1, 0.2, 0], atol=1e-12)
-    np.testing.assert_allclose(task.wrenches, [[0, -9.81, 0, 0, 0, 0], [2, 3, 1, 5, 6, 4]], atol=1e-12)
+    np.testing.assert_allclose(task.wrenches, [[0.0, -9.81, 0, 0, 0, 0], [2.0, 3, 1, 5, 6, 4]], atol=1e-12)
     task = make_task(written(tmp_path, WORLD.replace("reference_point = [1, 2.1, 1.2]", "")), bar)
     np.testing.assert_array_equal(task.reference_point, bar.center_of_mass)
 

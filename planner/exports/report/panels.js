@@ -127,7 +127,7 @@ function show(position) {
 function contactPanel() {
   const heads = ["", "x, y, z [mm]", "friction", ...(unequal ? ["strength"] : []), "on"];
   return section("Contacts", table(heads, data.contacts.map((contact, i) => [badge(i),
-    contact.position.map((x) => (1000 * x).toFixed(2)).join(", "), number(contact.friction, 3),
+    contact.position.map((x) => (1000 * x).toFixed(3)).join(", "), number(contact.friction, 3),
     ...(unequal ? [number(contact.strength, 3)] : []), contact.geom])));
 }
 
