@@ -75,8 +75,8 @@ def friction_doubts(friction: np.ndarray) -> list[str]:
 
 
 def candidate_doubts(candidates: int, fingers: int) -> list[str]:
-    """Whether there is something to choose from; exactly one candidate for each finger is a question of its own."""
-    if candidates == fingers or candidates >= CANDIDATES_PER_FINGER * fingers:
+    """Whether there is much to choose from; with one for each finger there is no choice, and fewer are refused."""
+    if candidates <= fingers or candidates >= CANDIDATES_PER_FINGER * fingers:
         return []
     return [
         f"{candidates} candidates are few for {fingers} fingers: the best of them may be far from the best on the "

@@ -10,9 +10,10 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
 from planner.commands.console import Console
 from planner.grasp import Grasp
+from planner.infeasibility import reasons, remedies
 from planner.limits.kinds import Kinds
 from planner.limits.restricted import Restricted, removals
-from planner.millimetres import in_mm, point_in_mm
+from planner.millimetres import LEAST, in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
@@ -42,6 +43,8 @@ class Report:
             self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
         self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
+        if candidates.moved > LEAST:
+            self._say(f"moved       onto the surface by at most {in_mm(candidates.moved, 2)} mm")
 
     def decomposed(self, file: Path, parts: int) -> None:
         """What is planned on in place of the object's file."""
@@ -101,6 +104,8 @@ class Report:
             f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
             f"({grasp.search.subsets:,} subsets) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
+        grip = grasp.grip
+        self._say(f"grip        {grip:.6g} N: the largest normal force of a finger (what gripper catalogues state)")
         contacts = zip(grasp.contacts.points, grasp.geoms, strengths, strict=True)
         for number, (point, geom, strength) in enumerate(contacts, start=1):
             position = " ".join(f"{1000 * coordinate:9.3f}" for coordinate in point)
@@ -112,11 +117,10 @@ class Report:
             f"infeasible  proven: no {grasp.search.fingers} of the {grasp.search.candidates} candidates resist "
             f"the task with less than {grasp.lower_bound:.3g} N per finger"
         )
-        if len(grasp.certificate.cuts) == 1:
-            direction = " ".join(f"{value:.3g}" for value in grasp.certificate.cuts[0])
-            self._say(f"direction   ({direction}): no contact can push the object along it, and the task asks for it")
-        elif grasp.search.fingers == 2 and not len(grasp.certificate.cuts):
-            self._say("direction   the moment about the line through the two contacts, whichever they are")
+        for reason in reasons(grasp):
+            self._say(f"because     {reason}")
+        for remedy in remedies(grasp):
+            self._say(f"may help    {remedy}")
 
     def _say(self, text: str = "") -> None:
         self._console.say(text)
