@@ -49,7 +49,8 @@ class Options:
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
     facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
-    points x,y,z (planar: x,y)."""
+    points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
+    *.grasp.json, whose contacts are taken."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -195,9 +196,9 @@ def _within_limits(
     limits = read_limits(options.limits, rigid_object) if options.limits else Limits()
     allowed = restricted(rigid_object, candidates, limits)
     report.restricted(allowed)
-    report.choice(len(allowed.candidates), options.fingers)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
     report.kinds(kinds)
+    report.choice(len(allowed.candidates), options.fingers)
     return limits, kinds
 
 
