@@ -191,6 +191,13 @@ class Grasp:
         return float(self.phi.max(initial=-np.inf)) if self.found else np.inf
 
     @property
+    def grip(self) -> float:
+        """The largest normal component of a contact force under any wrench of W_R [N]; infinite without a grasp."""
+        if not self.found:
+            return np.inf
+        return float(np.einsum("lmd,md->lm", self.forces, self.contacts.normals).max())
+
+    @property
     def critical_wrench(self) -> int:
         """Which wrench needs rho.
 

@@ -15,6 +15,7 @@ from planner.certificate import check_bound
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
 from planner.search.result import Status
 
 Observe = Callable[[str, float, float], None]
@@ -86,7 +87,7 @@ def _broken_limits(grasp: Grasp) -> list[str]:
         points = certificate.candidates.points[chosen]
         distance = float(np.linalg.norm(points[first] - points[second]))
         if not certificate.spacing <= distance <= certificate.span:
-            broken.append(f"contacts {first + 1} and {second + 1} are {distance:.6g} m apart")
+            broken.append(f"contacts {first + 1} and {second + 1} are {in_mm(distance, 6)} mm apart")
     return broken
 
 

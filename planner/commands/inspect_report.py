@@ -8,6 +8,7 @@ from scipy.spatial import cKDTree
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.exports.mjcf import PRIMITIVES
+from planner.millimetres import in_mm, point_in_mm
 from planner.objects.compiled import body_tree, compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
@@ -52,8 +53,8 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     volume = union_volume(rigid_object)
     density = f", {rigid_object.mass / volume:.4g} kg per m3 of {1e6 * volume:.4g} cm3 that collide" if volume else ""
     yield f"mass        {rigid_object.mass:.4g} kg{density}"
-    yield f"centre      ({_millimetres(rigid_object.center_of_mass)}) mm, the centre of mass in the body frame"
-    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in rigid_object.extent)} mm"
+    yield f"centre      {point_in_mm(rigid_object.center_of_mass)} mm, the centre of mass in the body frame"
+    yield f"size        {' x '.join(in_mm(edge) for edge in rigid_object.extent)} mm"
     yield f"pose        {_placed(rigid_object.pose_in_file)}"
     width = max(len(part.geom) for part in rigid_object.parts)
     for number, part in enumerate(rigid_object.parts):
@@ -69,10 +70,10 @@ def planar_lines(planar: PlanarObject) -> Iterator[str]:
     outline = planar.outline
     yield f"object      {planar.body!r}, planar, sha256 {planar.sha256[:12]}…"
     yield f"mass        {planar.mass:.4g} kg"
-    yield f"centre      ({_millimetres(planar.center_of_mass)}) mm, the centre of mass in the body frame"
-    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in planar.extent)} mm"
+    yield f"centre      {point_in_mm(planar.center_of_mass)} mm, the centre of mass in the body frame"
+    yield f"size        {' x '.join(in_mm(edge) for edge in planar.extent)} mm"
     yield (
-        f"outline     {len(outline.corners)} corners, perimeter {1000 * outline.lengths.sum():.4g} mm, "
+        f"outline     {len(outline.corners)} corners, perimeter {in_mm(outline.lengths.sum())} mm, "
         f"friction {outline.friction:g}"
     )
 
@@ -90,12 +91,12 @@ def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | 
             f"unreachable {survey.unreachable_samples} of {survey.samples} random points on the parts: inside or too "
             "near other parts"
         )
-    yield f"candidates  {len(candidates)}, {1000 * _spacing(points):.3g} mm apart"
+    yield f"candidates  {len(candidates)}, {in_mm(_spacing(points), 3)} mm apart"
     if isinstance(seen, RigidObject):
         confirmed = confirmed_candidates(seen, candidates)
         yield (
-            f"mujoco      confirms {len(confirmed.candidates)} of them, to {confirmed.largest_height:.1g} m and "
-            f"{np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
+            f"mujoco      confirms {len(confirmed.candidates)} of them, to {in_mm(confirmed.largest_height, 1)} mm "
+            f"and {np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
             f"{confirmed.turned} have another normal, {confirmed.crowded} touch another part"
         )
 
@@ -103,17 +104,17 @@ def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | 
 def _shape(part: ConvexPart) -> str:
     """Type and size of a part; MuJoCo's size, of half lengths and radii, for what is no mesh."""
     if isinstance(part, PRIMITIVES):
-        return f"{part.mjcf_type} of size {' '.join(f'{1000 * length:.4g}' for length in part.size)} mm"
-    edges = " x ".join(f"{1000 * edge:.4g}" for edge in np.ptp(part.bounds(), axis=0))
+        return f"{part.mjcf_type} of size {' '.join(in_mm(length) for length in part.size)} mm"
+    edges = " x ".join(in_mm(edge) for edge in np.ptp(part.bounds(), axis=0))
     facets = f", {len(part.polygons)} facets" if isinstance(part, Polyhedron) else ""
     return f"hull of {edges} mm{facets}"
 
 
 def _placed(pose: Pose) -> str:
     """Where the file places the body frame, in which everything else is said."""
-    angle, axis = pose.turn
-    turned = f"turned by {np.rad2deg(angle):.4g}° about ({_rounded(axis)})" if angle > SAME_AXES else "not turned"
-    return f"the body frame lies at ({_millimetres(pose.position)}) mm in the world of the file, {turned}"
+    axis = ", ".join(f"{coordinate + 0.0:.4g}" for coordinate in pose.axis)
+    turned = f"turned by {np.rad2deg(pose.angle):.4g}° about ({axis})" if pose.angle > SAME_AXES else "not turned"
+    return f"the body frame lies at {point_in_mm(pose.position)} mm in the world of the file, {turned}"
 
 
 def _counted(number: int, noun: str) -> str:
@@ -126,11 +127,3 @@ def _spacing(points: np.ndarray) -> float:
         return 0.0
     distances, _ = cKDTree(points).query(points, k=2)
     return float(np.median(distances[:, 1]))
-
-
-def _millimetres(point: np.ndarray) -> str:
-    return _rounded(1000 * point)
-
-
-def _rounded(vector: np.ndarray) -> str:
-    return ", ".join(f"{coordinate + 0.0:.4g}" for coordinate in vector)

@@ -42,12 +42,14 @@ class Options(ObjectOptions):
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
     is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
-    along each axis; anything else is a TOML file."""
+    along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
+    frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
     facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
-    points x,y,z (planar: x,y)."""
+    points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
+    *.grasp.json, whose contacts are taken."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -185,6 +187,7 @@ def _within_limits(
     report.restricted(allowed)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
     report.kinds(kinds)
+    report.choice(len(allowed.candidates), options.fingers)
     return limits, kinds
 
 

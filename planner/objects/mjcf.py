@@ -27,6 +27,7 @@ from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.plausibility import size_doubts
 
 logger = logging.getLogger(__name__)
 
@@ -50,7 +51,7 @@ def read_object(source: ObjectSource | Path) -> RigidObject:
     for complaint in compiled.complaints:
         logger.warning("'%s' is %s", source.file, complaint)
     rigid_object = as_compiled(source, compiled)
-    for doubt in (*file_doubts(compiled, rigid_object.parts), *mass_doubts(rigid_object)):
+    for doubt in [*file_doubts(compiled, rigid_object.parts), *size_doubts(rigid_object), *mass_doubts(rigid_object)]:
         logger.warning("%s", doubt)
     return rigid_object
 
@@ -77,6 +78,7 @@ def as_compiled(source: ObjectSource, compiled: CompiledObject) -> RigidObject:
         center_of_mass=center_of_mass,
         inertia=inertia,
         extent=np.ptp(corners, axis=0),
+        gravity=float(np.linalg.norm(compiled.model.opt.gravity)),
     ).weighing(source.given)
 
 

@@ -8,8 +8,6 @@ from functools import cached_property
 
 import numpy as np
 
-from planner.objects.vectors import norm
-
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Pose:
@@ -39,13 +37,17 @@ class Pose:
         )
 
     @property
-    def turn(self) -> tuple[float, np.ndarray]:
-        """Angle of the rotation, 0 to pi [rad], and the unit axis about which it turns, shape (3,)."""
-        w, vector = self.quaternion[0], self.quaternion[1:]
-        length = norm(vector)
-        if length == 0:
-            return 0.0, np.array([0.0, 0.0, 1.0])
-        return float(2 * np.arctan2(length, abs(w))), vector / length * np.copysign(1.0, w)
+    def angle(self) -> float:
+        """Of the rotation, between 0 and pi [rad]."""
+        w, *xyz = self.quaternion
+        return float(2 * np.arctan2(np.linalg.norm(xyz), abs(w)))
+
+    @property
+    def axis(self) -> np.ndarray:
+        """About which it turns by `angle`, a unit vector, shape (3,); zero without a turn."""
+        w, *xyz = self.quaternion
+        length = np.linalg.norm(xyz)
+        return np.array(xyz) / length * np.copysign(1.0, w) if length > 0 else np.zeros(3)
 
     def rotate(self, vectors: np.ndarray) -> np.ndarray:
         """Free vectors of G in the axes of B, shape (..., 3)."""

@@ -60,6 +60,9 @@ class RigidObject:
     pose_in_file: Pose = field(default_factory=Pose.identity)
     """X_WB: where the file places the body in its world W, at qpos0 or the keyframe."""
 
+    gravity: float | None = None
+    """Magnitude of the file's own `option gravity` [m/s^2]; None for objects that no file describes."""
+
     untouchable: frozenset[int] = frozenset()
     """Parts, by number, that no finger may touch, because they are not of the body that the user asked for."""
 
