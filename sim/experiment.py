@@ -2,12 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
+from planner.objects.touch import TIP
 from sim.adaptive import adaptive_trial
 from sim.measurement import Measurement, measure
 from sim.object_joints import joints_of
@@ -100,7 +102,8 @@ def set_up(
 ) -> Experiment:
     """Compose and compile the scene with the largest fingertips that touch only where planned.
 
-    If even the smallest do not, the static check says which.
+    Those that confirmed the candidates are among them. If even the smallest touch anything else, the static check says
+    which.
 
     Args:
         rigid_object: What the fingers hold.
@@ -116,11 +119,15 @@ def set_up(
     """
     units = similarity(contacts, reference_point, rho, protocol.reach)
     simulated = replace(contacts, friction=friction)
-    for tip_radius in protocol.tip_radii:
-        scene = build_scene(rigid_object.parts, simulated, units, protocol, tip_radius, joints_of(rigid_object))
-        static = check_touch(scene, rigid_object.size, units.length, protocol)
+    build = partial(build_scene, rigid_object.parts, simulated, units, protocol, joints=joints_of(rigid_object))
+    confirmed = TIP * rigid_object.size * units.length / protocol.reach
+    for tip_radius in sorted((*protocol.tip_radii, confirmed), reverse=True):
+        scene = build(tip_radius)
+        static = check_touch(scene, rigid_object.size, units.length)
         if not static.reasons():
             break
+    if static.spared.any():
+        scene = build(tip_radius, spared=static.spared)
     return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
 
 

@@ -8,6 +8,8 @@ should all hold.
 
 from dataclasses import dataclass, replace
 
+from planner.objects.touch import CLEARANCE, ON_SURFACE
+
 
 @dataclass(frozen=True, kw_only=True)
 class ValidationProtocol:
@@ -94,11 +96,11 @@ class ValidationProtocol:
     """Seconds under the full wrench [s]."""
 
     # Geometry
-    touch_tolerance: float = 1e-6
+    touch_tolerance: float = ON_SURFACE
     """Largest gap or overlap of a fingertip and the object before the test, relative to the object's size."""
 
-    clearance: float = 2e-4
-    """Least distance of a fingertip from any other geom of the object, relative to the reach."""
+    clearance: float = CLEARANCE
+    """Least distance of a fingertip from any other surface of the object, relative to the object's size."""
 
     # Verdict
     loaded: float = 0.01

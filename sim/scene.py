@@ -8,6 +8,7 @@ external forces at the centre of mass, so the force it is given is exactly the w
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
+from itertools import compress
 
 import mujoco
 import numpy as np
@@ -64,6 +65,7 @@ def build_scene(
     protocol: ValidationProtocol,
     tip_radius: float,
     joints: ObjectJoints,
+    spared: np.ndarray | None = None,
 ) -> Scene:
     """Compose and compile the scene.
 
@@ -74,13 +76,15 @@ def build_scene(
         protocol: Settings.
         tip_radius: Radius of the fingertips, relative to the reach.
         joints: How the object may move.
+        spared: Parts that a fingertip never touches, shape (contacts, parts); none by default.
 
     Raises:
         SimulationError: When MuJoCo cannot compile the scene.
     """
     touching = similarity.contacts(contacts)
     radius = tip_radius * protocol.reach
-    root = _compose(parts, touching, similarity, protocol, radius, joints)
+    paired = np.ones((len(contacts), len(parts)), dtype=bool) if spared is None else ~spared
+    root = _compose(parts, touching, similarity, protocol, radius, joints, paired)
     try:
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
@@ -116,6 +120,7 @@ def _compose(
     protocol: ValidationProtocol,
     radius: float,
     joints: ObjectJoints,
+    paired: np.ndarray,
 ) -> mjcf.RootElement:
     root = mjcf.RootElement(model="validation")
     _set_options(root, protocol)
@@ -125,7 +130,7 @@ def _compose(
     body.add("inertial", pos=np.zeros(3), mass=protocol.object_mass, diaginertia=np.full(3, inertia))
     geoms = [add_part(body, _part_name(index), part, similarity) for index, part in enumerate(parts)]
     for finger in range(len(contacts)):
-        _add_finger(root, geoms, contacts, finger, protocol, radius)
+        _add_finger(root, list(compress(geoms, paired[finger])), contacts, finger, protocol, radius)
     return root
 
 

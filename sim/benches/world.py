@@ -4,7 +4,7 @@ Composed with dm_control.mjcf in real units: world axes and origin are those of 
 forces act at the object's true centre of mass.
 """
 
-from dataclasses import replace
+from itertools import compress
 
 import mujoco
 import numpy as np
@@ -12,10 +12,10 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
+from planner.objects.touch import TIP
 from sim.benches.settings import BenchSettings
 from sim.composer import mjcf
 from sim.geometry import add_part
-from sim.protocol import ACTIVE
 from sim.scene import OBJECT, PRECISION, SENSOR, Scene
 from sim.similarity import Similarity
 from sim.static_check import check_touch
@@ -40,17 +40,20 @@ def build_world(rigid_object: RigidObject, contacts: Contacts, settings: BenchSe
     reach = float(np.linalg.norm(contacts.points - rigid_object.center_of_mass, axis=1).max(initial=0))
     if not reach > 0:
         raise SimulationError("no contact away from the centre of mass: nothing to hold the object with")
-    touch = replace(ACTIVE, reach=reach)
-    for part in settings.tip_radii:
-        scene = _compiled(rigid_object, contacts, settings, part * reach)
-        reasons = check_touch(scene, rigid_object.size, 1.0, touch).reasons()
-        if not reasons:
-            return scene
-    raise SimulationError("; ".join(reasons))
+    every_pair = np.ones((len(contacts), len(rigid_object.parts)), dtype=bool)
+    radii = (*(part * reach for part in settings.tip_radii), TIP * rigid_object.size)
+    for radius in sorted(radii, reverse=True):
+        scene = _compiled(rigid_object, contacts, settings, radius, every_pair)
+        static = check_touch(scene, rigid_object.size, 1.0)
+        if not static.reasons():
+            return _compiled(rigid_object, contacts, settings, radius, ~static.spared) if static.spared.any() else scene
+    raise SimulationError("; ".join(static.reasons()))
 
 
-def _compiled(rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float) -> Scene:
-    root = _compose(rigid_object, contacts, settings, radius)
+def _compiled(
+    rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float, paired: np.ndarray
+) -> Scene:
+    root = _compose(rigid_object, contacts, settings, radius, paired)
     try:
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
@@ -65,7 +68,9 @@ def _compiled(rigid_object: RigidObject, contacts: Contacts, settings: BenchSett
     )
 
 
-def _compose(rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float) -> mjcf.RootElement:
+def _compose(
+    rigid_object: RigidObject, contacts: Contacts, settings: BenchSettings, radius: float, paired: np.ndarray
+) -> mjcf.RootElement:
     root = mjcf.RootElement(model="bench")
     for option in ("timestep", "integrator", "cone", "jacobian", "solver", "iterations", "tolerance", "impratio"):
         setattr(root.option, option, getattr(settings, option))
@@ -83,7 +88,7 @@ def _compose(rigid_object: RigidObject, contacts: Contacts, settings: BenchSetti
     geoms = [add_part(body, f"part_{index}", part, REAL) for index, part in enumerate(rigid_object.parts)]
     centers = contacts.points - radius * contacts.normals
     for finger, center in enumerate(centers):
-        _add_fingertip(root, geoms, f"tip_{finger}", center, radius, settings)
+        _add_fingertip(root, list(compress(geoms, paired[finger])), f"tip_{finger}", center, radius, settings)
     return root
 
 
