@@ -13,7 +13,11 @@ import numpy as np
 
 from planner.errors import ObjectError
 from planner.objects.body_tree import BodyTree
+from planner.objects.bounded_compile import compile_bounded
 from planner.objects.pose import Pose
+
+REFUSALS = (ValueError, mujoco.FatalError, mujoco.UnexpectedError)
+"""What MuJoCo's parser and compiler raise; the last where there is no memory for a field of heights."""
 
 
 def _as_it_is(_: mujoco.MjSpec) -> None:
@@ -70,15 +74,18 @@ def compile_mjcf(path: Path, change: Callable[[mujoco.MjSpec], None] = _as_it_is
         change: Applied to the parsed file before it is compiled.
 
     Raises:
-        ObjectError: If there is no such file or MuJoCo cannot compile it.
+        ObjectError: If there is no such file, or MuJoCo cannot compile it within the limits of `bounded_compile`.
     """
-    if not path.is_file():
-        raise ObjectError(f"there is no file '{path}'; give the path of an MJCF object")
+    return compile_bounded(path, lambda: _compile(path, change))
+
+
+def _compile(path: Path, change: Callable[[mujoco.MjSpec], None]) -> tuple[mujoco.MjModel, str]:
+    """The same without limits."""
     try:
         spec = mujoco.MjSpec.from_file(str(path))
         change(spec)
         return _compiled(spec), ""
-    except (ValueError, mujoco.FatalError) as error:
+    except REFUSALS as error:
         model = _compile_without_textures(path, change)
         if model is None:
             raise ObjectError(f"MuJoCo cannot compile '{path}': {error}") from error
@@ -97,7 +104,7 @@ def _compile_without_textures(path: Path, change: Callable[[mujoco.MjSpec], None
             spec.delete(asset)
         change(spec)
         return _compiled(spec)
-    except (ValueError, mujoco.FatalError):
+    except REFUSALS:
         return None
 
 
