@@ -6,6 +6,7 @@ from typing import TypeVar
 
 import msgspec
 
+from planner.bounded_read import read_bounded
 from planner.errors import RhograspError
 
 MAX_FILE_BYTES = 1_000_000
@@ -30,14 +31,8 @@ def read_toml(
     Raises:
         RhograspError: Of the given kind, if the file cannot be read, is too long, is not TOML, or does not fit.
     """
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as cause:  # ValueError: a path that no file can have
-        raise error(f"the {name} '{path}' cannot be read: {cause}{hint}") from cause
-    if len(content) > MAX_FILE_BYTES:
-        raise error(f"the {name} '{path}' is longer than {MAX_FILE_BYTES} bytes")
+    content = read_bounded(path, MAX_FILE_BYTES, name, error, hint)
     try:
         return msgspec.convert(tomllib.loads(content.decode()), struct)
-    except (ValueError, RecursionError, msgspec.ValidationError, RhograspError) as cause:  # ValueError: TOML, UTF-8
+    except (ValueError, OverflowError, RecursionError, RhograspError) as cause:  # ValueError: TOML, UTF-8
         raise error(f"'{path}' is not a {name}: {cause}{sample}") from cause

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.bounded_read import read_bounded
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
@@ -54,11 +55,10 @@ def read_points(path: Path, dimension: int = 3) -> ListedPoints:
     Raises:
         CandidateError: If the file cannot be read, is too large, empty, or a line is not d or 2 d finite numbers.
     """
+    content = read_bounded(path, LARGEST_FILE, "list of points", CandidateError)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise CandidateError(f"'{path}' is larger than {LARGEST_FILE} bytes; list fewer points")
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, ValueError) as error:
+        lines = content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
         raise CandidateError(f"the points in '{path}' cannot be read: {error}") from error
     axes = ",".join("xyz"[:dimension])
     normal_axes = axes + "".join(f",n{axis}" for axis in "xyz"[:dimension])

@@ -106,6 +106,7 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     from planner.search.result import Status
 
     out = options.out or Path(options.object.stem + SUFFIX)
+    require_writable(numbered(out, options.keep))  # of all names the longest
     require_writable(out)
     report = Report(console)
     with SearchLog(console, options.log_json) as log:

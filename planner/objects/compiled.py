@@ -16,6 +16,7 @@ import numpy as np
 from planner.errors import MasslessError, ObjectError
 from planner.objects.appearance import MASSLESS, advice, without_culprit
 from planner.objects.body_tree import WORLD, BodyTree, Tie
+from planner.objects.bounded_compile import compile_bounded
 from planner.objects.collides import collides
 from planner.objects.mesh_file import MESH_FILES, mjcf_around
 from planner.objects.names import name_at
@@ -23,6 +24,9 @@ from planner.objects.obj_file import ObjFile, is_obj, read_obj
 from planner.objects.object_source import ObjectSource
 from planner.objects.pose import Pose
 from planner.objects.uniform_density import weigh_massless_bodies
+
+REFUSALS = (ValueError, mujoco.FatalError, mujoco.UnexpectedError)
+"""What MuJoCo's parser and compiler raise; the last where there is no memory for a field of heights."""
 
 
 def _as_it_is(_: mujoco.MjSpec) -> None:
@@ -127,12 +131,15 @@ def compile_mjcf(
         change: Applied to the parsed file before it is compiled.
 
     Raises:
-        ObjectError: If there is no such file or MuJoCo cannot compile it.
+        ObjectError: If there is no such file, or MuJoCo cannot compile it within the limits of `bounded_compile`.
     """
-    if not path.is_file():
-        raise ObjectError(f"there is no file '{path}'; give the path of an MJCF object")
-    if path.suffix.lower() in MESH_FILES:
+    if path.suffix.lower() in MESH_FILES and path.is_file():
         raise ObjectError(mjcf_around(path))
+    return compile_bounded(path, lambda: _compile(path, change))
+
+
+def _compile(path: Path, change: Callable[[mujoco.MjSpec], None]) -> tuple[mujoco.MjModel, tuple[str, ...]]:
+    """The same without limits."""
     left_out: list[str] = []
     try:
         spec = mujoco.MjSpec.from_file(str(path))
@@ -141,12 +148,12 @@ def compile_mjcf(
         while True:
             try:
                 return _compiled(spec), tuple(left_out)
-            except (ValueError, mujoco.FatalError) as error:
+            except REFUSALS as error:
                 remedy = without_culprit(spec, str(error))
                 if remedy is None:
                     raise
                 left_out.append(remedy)
-    except (ValueError, mujoco.FatalError) as error:
+    except REFUSALS as error:
         kind = MasslessError if MASSLESS in str(error) else ObjectError
         raise kind(f"MuJoCo cannot compile '{path}': {error}{advice(str(error))}") from error
 

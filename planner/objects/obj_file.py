@@ -7,6 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.bounded_read import read_bounded
+from planner.errors import ObjectError
+
+MOST_BYTES = 2**30
+"""Largest file: room for ten million faces."""
+
 TAG = re.compile(rb"^[ \t]*[og](?:[ \t]|\r?$)", re.MULTILINE)
 """A line that begins an object or a group."""
 
@@ -35,8 +41,11 @@ def read_obj(path: Path) -> ObjFile | None:
 
     Args:
         path: An OBJ file that MuJoCo has read.
+
+    Raises:
+        ObjectError: If it is too large.
     """
-    content = path.read_bytes()
+    content = read_bounded(path, MOST_BYTES, "OBJ file", ObjectError)
     if len(TAG.findall(content)) < 2 and not _faces_before_tag(content):
         return None
     try:

@@ -180,7 +180,7 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
 
 
 def test_an_endless_file_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(TaskError, match=f"longer than {MAX_FILE_BYTES} bytes"):
+    with pytest.raises(TaskError, match=f"larger than {MAX_FILE_BYTES} bytes"):
         make_task(written(tmp_path, SCREWDRIVER + MAX_FILE_BYTES * "#"), brick())
 
 

@@ -115,7 +115,7 @@ def test_the_shipped_files_fit_the_assets_of_their_names(path: Path) -> None:
         (9 * "[[finger]]\n", r"9 tables \[\[finger\]\]; at most 8"),
         ("a = " + 5000 * "[", "limits file"),
         ("spacing = 1" + 400 * "0", "limits file"),
-        ("spacing = 0 #" + MAX_FILE_BYTES * "#", f"longer than {MAX_FILE_BYTES} bytes"),
+        ("spacing = 0 #" + MAX_FILE_BYTES * "#", f"larger than {MAX_FILE_BYTES} bytes"),
     ],
 )
 def test_a_broken_file_is_refused_with_its_name_and_what_is_allowed(tmp_path: Path, text: str, message: str) -> None:

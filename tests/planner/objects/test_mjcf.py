@@ -177,7 +177,7 @@ def test_what_is_no_single_rigid_object_is_refused(tmp_path: Path, text: str, bo
 
 
 def test_a_missing_file_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ObjectError, match="there is no file"):
+    with pytest.raises(ObjectError, match="No such file or directory; give the path of an MJCF object"):
         read_object(tmp_path / "none.xml")
 
 

@@ -87,7 +87,7 @@ def test_files_that_cannot_be_read_are_refused(tmp_path: Path) -> None:
         read_planar(tmp_path / "nowhere.toml")
     with pytest.raises(ObjectError, match="cannot be read"):
         read_planar(Path("\0.toml"))
-    with pytest.raises(ObjectError, match="longer than"):
+    with pytest.raises(ObjectError, match="larger than"):
         read_planar(written(tmp_path, TRIANGLE + "#" * MAX_FILE_BYTES, "long.toml"))
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(ObjectError, match="not a planar object"):
