@@ -4,8 +4,13 @@ import numpy as np
 
 from planner.certificate import capacities
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
+from planner.objects.vectors import unit
 from planner.plausibility import CANDIDATES_PER_FINGER
 from planner.search.result import Status
+
+MOST_LINED = 1000
+"""Candidates whose lines are all compared with the load: half a million, in a fraction of a second."""
 
 SPANNED = 1e-9
 """Relative size of a singular value below which wrenches span one dimension less."""
@@ -37,7 +42,9 @@ def reasons(grasp: Grasp) -> list[str]:
     number = f"every pair of these {grasp.search.candidates} candidates" if grasp.search.candidates > 2 else "this pair"
     cuts = len(grasp.certificate.cuts)
     others = f", but for those that {cuts} cut{'' if cuts == 1 else 's'} of the certificate settle" if cuts else ""
-    return [f"{moment}, and the task has one for {number}{others}"]
+    miss = _least_miss(grasp)
+    nearest = "" if miss is None else f"; the nearest line misses the load by {in_mm(miss, 2)} mm"
+    return [f"{moment}, and the task has one for {number}{others}{nearest}"]
 
 
 def remedies(grasp: Grasp) -> list[str]:
@@ -58,6 +65,24 @@ def remedies(grasp: Grasp) -> list[str]:
 
 def _is_pair(grasp: Grasp) -> bool:
     return grasp.search.fingers == 2 and grasp.certificate.candidates.dimension == 3
+
+
+def _least_miss(grasp: Grasp) -> float | None:
+    """Least moment of the task about a line through two candidates over its largest force: an arm [m].
+
+    None where the task has no force, or where it would take long to find.
+    """
+    points, task = grasp.certificate.candidates.points, grasp.task
+    force = np.linalg.norm(task.wrenches[:, :3], axis=1).max()
+    if not force or len(points) > MOST_LINED:
+        return None
+    arms, least = points - task.reference_point, np.inf
+    for first, arm in enumerate(arms[:-1]):
+        others = arms[first + 1 :]
+        lines = unit(others[(others != arm).any(axis=1)] - arm)
+        turning = np.hstack([np.cross(arm, lines), lines]) @ task.wrenches.T
+        least = min(least, np.abs(turning).max(axis=1).min(initial=np.inf))
+    return float(least / force) if np.isfinite(least) else None
 
 
 def _lines_left(grasp: Grasp) -> bool:

@@ -104,7 +104,7 @@ def make_task(choice: str, object: Graspable) -> Task:
         preset = _preset(PRESETS[choice](), object, center)
         return Task(name=choice, reference_point=center, wrenches=preset.vertices())
     sample = SAMPLES[len(center)]
-    file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT, sample)
+    file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT + sample, sample)
     try:
         pose = _stated_frame(file, object)
         stated = file.reference_point

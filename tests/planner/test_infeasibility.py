@@ -40,6 +40,16 @@ def test_pairs_beside_the_load_are_infeasible_and_opposite_ones_help_as_said() -
     assert planned(BESIDE + OPPOSITE, [DOWN]).rho == pytest.approx(np.hypot(78.4, 39.2), rel=1e-6)
 
 
+@pytest.mark.parametrize(("offset", "said"), [(4e-7, "0.0002"), (2e-3, "1")])
+def test_how_far_the_nearest_line_misses_the_load_is_said(offset: float, said: str) -> None:
+    """Points that a rounding has moved are told from points that are elsewhere."""
+    grasp = planned([(offset, 0.03, 0.0), (0.0, -0.03, 0.0), (0.04, 0.03, 0.02)], [DOWN])
+    assert grasp.status is Status.INFEASIBLE
+    assert reasons(grasp)[0].endswith(f"; the nearest line misses the load by {said} mm")
+    moments = planned(BESIDE, [[0, 0, 0, 0, 0, 1.0]])
+    assert "misses" not in "".join(reasons(moments))
+
+
 def test_a_task_with_moments_about_every_line_is_said_to_need_a_third_finger() -> None:
     turning = [[*row] for row in np.vstack([np.eye(6), -np.eye(6)]) * [1, 1, 1, 0.01, 0.01, 0.01]]
     grasp = planned(BESIDE + OPPOSITE, turning)
@@ -87,7 +97,9 @@ def test_the_command_prints_the_grip_and_converts_no_infeasible_file(
     assert run(*given, "jaws.csv") == 0
     assert says(capsys.readouterr().out, "rho 87.6539 N: .* grip 78.4 N: the largest normal force of a finger")
     assert run(*given, "300") == 3
-    assert says(capsys.readouterr().out, "because .* every pair of these 300 candidates may help candidates opposite")
+    assert says(
+        capsys.readouterr().out, "every pair of these 300 candidates; the nearest .* mm may help candidates opp"
+    )
     for out in ("part.glb", "part.isaac.yaml"):
         assert run("grasp-convert", "part.grasp.json", "--out", out) == 1
         assert says(

@@ -169,7 +169,7 @@ def test_a_broken_file_is_refused_with_the_place_and_what_is_allowed(tmp_path: P
 
 @pytest.mark.parametrize("choice", ["papre", "", ".", "a\0b", 5000 * "x"])
 def test_what_is_neither_preset_nor_file_is_refused_with_the_presets(choice: str) -> None:
-    with pytest.raises(TaskError, match="presets paper, gravity, axes6"):
+    with pytest.raises(TaskError, match="presets paper, gravity, axes6 need no file; a whole task file can be: set = "):
         make_task(choice, brick())
 
 

@@ -18,7 +18,8 @@ function headline() {
     title(),
     el("p", { class: "rho" }, `${number(data.rho, 4)} N`),
     el("p", { class: "muted" }, "the force that every finger must be able to push with"
-      + (unequal ? ", times its strength" : "") + `; the largest normal force of a finger (grip) is ${number(data.grip, 4)} N`),
+      + (unequal ? ", times its strength" : "")
+      + `; the largest normal force of a finger, the grip, is ${number(data.grip, 4)} N`),
     el("div", { class: "track", role: "img", "aria-label": "proven interval of the smallest possible force" },
       el("span", { class: "proven", style: `width:${scale * share}%` }),
       el("span", { class: "open", style: `left:${scale * share}%;width:${scale * (100 - share)}%` }),
