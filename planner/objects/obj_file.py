@@ -1,9 +1,11 @@
 """The faces of an OBJ file, group by group: MuJoCo reads those of the first group only."""
 
 import re
+import zlib
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
+from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 
@@ -32,26 +34,40 @@ class ObjFile:
 
 
 def is_obj(path: Path) -> bool:
-    """Whether there is such an OBJ file."""
-    return path.suffix.lower() == ".obj" and path.is_file()
+    """Whether there is such an OBJ file, on its own or in an archive."""
+    return path.suffix.lower() == ".obj" and any(place.is_file() for place in (path, *path.parents))
 
 
 def read_obj(path: Path) -> ObjFile | None:
     """The file, or None if it holds one group at most, which MuJoCo reads whole, or its faces cannot be understood.
 
     Args:
-        path: An OBJ file that MuJoCo has read.
+        path: An OBJ file that MuJoCo has read; one of the folders may be an archive (`part.mjz/cup.obj`).
 
     Raises:
         ObjectError: If it is too large.
     """
-    content = read_bounded(path, MOST_BYTES, "OBJ file", ObjectError)
+    content = _content(path)
     if len(TAG.findall(content)) < 2 and not _faces_before_tag(content):
         return None
     try:
         return _parsed(content.decode("latin-1").replace("\\\n", " "))
     except ValueError:
         return None
+
+
+def _content(path: Path) -> bytes:
+    archive = next((folder for folder in path.parents if folder.is_file()), None)
+    if archive is None:
+        return read_bounded(path, MOST_BYTES, "OBJ file", ObjectError)
+    try:
+        with ZipFile(archive) as entries:
+            entry = entries.getinfo(path.relative_to(archive).as_posix())
+            if entry.file_size > MOST_BYTES:
+                raise ObjectError(f"'{path}' is larger than {MOST_BYTES} bytes, the most that is read")
+            return entries.read(entry)
+    except (OSError, BadZipFile, KeyError, zlib.error) as error:
+        raise ObjectError(f"'{path}' cannot be read from its archive: {error}") from error
 
 
 def _faces_before_tag(content: bytes) -> bool:

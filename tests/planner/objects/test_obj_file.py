@@ -1,6 +1,7 @@
 """An OBJ file of several objects: MuJoCo reads the faces of the first and hulls the corners of all."""
 
 from pathlib import Path
+from zipfile import ZipFile
 
 import mujoco
 import numpy as np
@@ -105,6 +106,17 @@ def test_decomposing_keeps_every_object_of_the_file_exactly(tmp_path: Path, kind
     length = 0.105 if kind == "three" else 0.07
     np.testing.assert_allclose(thing.extent, [0.04, length, 0.04], atol=1e-7)
     assert thing.mass == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("folder", ["", "meshes/"])
+def test_an_archive_is_asked_for_all_faces_too(tmp_path: Path, folder: str) -> None:
+    text = mjcf(tmp_path, WHOLE["two objects"]).read_text().replace("m.obj", f"{folder}m.obj")
+    with ZipFile(tmp_path / "cup.mjz", "w") as archive:
+        archive.writestr("cup.xml", text)
+        archive.write(tmp_path / "m.obj", f"{folder}m.obj")
+    source, parts = decompose(ObjectSource(file=tmp_path / "cup.mjz"), tmp_path)
+    assert parts == 2
+    np.testing.assert_allclose(read_object(source).extent, [0.04, 0.07, 0.04], atol=1e-7)
 
 
 def test_a_broken_face_is_left_to_mujoco(tmp_path: Path) -> None:
