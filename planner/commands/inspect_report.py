@@ -9,9 +9,10 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.exports.mjcf import PRIMITIVES
 from planner.millimetres import in_mm, point_in_mm
-from planner.objects.compiled import body_tree, compile_source
+from planner.objects.compiled import compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
+from planner.objects.model_tree import body_tree
 from planner.objects.object_source import ObjectSource
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.planar_object import PlanarObject

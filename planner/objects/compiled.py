@@ -5,7 +5,7 @@ Frame: the chosen body's frame B, SI.
 
 import os
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -15,10 +15,11 @@ import numpy as np
 
 from planner.errors import MasslessError, ObjectError
 from planner.objects.appearance import MASSLESS, advice, without_culprit
-from planner.objects.body_tree import WORLD, BodyTree, Tie
+from planner.objects.body_poses import body_poses, configuration_at, poses_in_world
 from planner.objects.bounded_compile import compile_bounded
 from planner.objects.collides import collides
 from planner.objects.mesh_file import MESH_FILES, mjcf_around
+from planner.objects.model_tree import body_tree
 from planner.objects.names import name_at
 from planner.objects.obj_file import ObjFile, is_obj, read_obj
 from planner.objects.object_source import ObjectSource
@@ -225,95 +226,14 @@ def choose_object(model: mujoco.MjModel, complaints: tuple[str, ...], source: Ob
             f"no geom of body '{tree.names[root]}', or of what is fixed below it, collides, so that fingers could "
             f"touch it; leave --body out, or name another of {', '.join(repr(tree.names[body]) for body in bodies)}"
         )
-    configuration = _configuration(model, source.keyframe)
+    configuration = configuration_at(model, source.keyframe)
     return CompiledObject(
         model=model,
         complaints=complaints,
         body=tree.names[root],
-        poses=_body_poses(model, root, bodies, configuration),
-        pose_in_file=_poses_in_world(model, [root], configuration)[root],
+        poses=body_poses(model, root, bodies, configuration),
+        pose_in_file=poses_in_world(model, [root], configuration)[root],
         configuration=configuration,
         colliding=tuple(int(geom) for geom in colliding),
         untouchable=frozenset(int(place) for place in np.flatnonzero(~touchable)),
     )
-
-
-def body_tree(model: mujoco.MjModel) -> BodyTree:
-    """The bodies of a model."""
-    solid = collides(model) & (model.geom_type != mujoco.mjtGeom.mjGEOM_PLANE)
-    ends = model.body_jntadr + model.body_jntnum
-    joints = tuple(
-        tuple(name_at(model, model.name_jntadr, joint, "joint") for joint in range(start, stop))
-        for start, stop in zip(model.body_jntadr.tolist(), ends.tolist(), strict=True)
-    )
-    return BodyTree(
-        names=tuple(name_at(model, model.name_bodyadr, body, "body") for body in range(model.nbody)),
-        parents=model.body_parentid,
-        joints=joints,
-        freedoms=model.body_dofnum,
-        constraints=tuple(_constraints(model)),
-        masses=model.body_mass,
-        colliding_geoms=np.bincount(model.geom_bodyid[solid], minlength=model.nbody),
-    )
-
-
-def _constraints(model: mujoco.MjModel) -> Iterator[Tie]:
-    """Active equality constraints that weld bodies to each other, or connect them at a point.
-
-    What is fixed in the world is no part of an object that is welded to it, as it is none of one that hangs on a joint.
-    """
-    for number in range(model.neq):
-        kind = mujoco.mjtEq(model.eq_type[number])
-        ends = [int(model.eq_obj1id[number]), int(model.eq_obj2id[number])]
-        if model.eq_objtype[number] == mujoco.mjtObj.mjOBJ_SITE:
-            ends = [int(model.site_bodyid[site]) for site in ends]
-        if (
-            kind in (mujoco.mjtEq.mjEQ_WELD, mujoco.mjtEq.mjEQ_CONNECT)
-            and model.eq_active0[number]
-            and (model.body_weldid[ends] != WORLD).all()
-        ):
-            name = name_at(model, model.name_eqadr, number, "equality")
-            yield Tie(ends[0], ends[1], () if kind == mujoco.mjtEq.mjEQ_WELD else (name,))
-
-
-def _configuration(model: mujoco.MjModel, keyframe: str | None) -> np.ndarray:
-    """qpos0, or that of a keyframe, shape (nq,)."""
-    if keyframe is None:
-        return model.qpos0.copy()
-    names = [name_at(model, model.name_keyadr, number, "key") for number in range(model.nkey)]
-    if keyframe not in names:
-        listed = ", ".join(f"'{name}'" for name in names) or "none"
-        raise ObjectError(f"there is no keyframe named '{keyframe}'; the file has {listed}")
-    return model.key_qpos[names.index(keyframe)].copy()
-
-
-def _body_poses(model: mujoco.MjModel, root: int, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
-    """Pose in B of each body of the object, that of the root first."""
-    if (configuration == model.qpos0).all() and root == bodies[0] and _one_tree(model, bodies):
-        return _poses_below(model, bodies)
-    in_world = _poses_in_world(model, bodies, configuration)
-    to_root = in_world[root].inverse()
-    others = [body for body in bodies if body != root]
-    return {root: Pose.identity()} | {body: to_root.compose(in_world[body]) for body in others}
-
-
-def _poses_in_world(model: mujoco.MjModel, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
-    data = mujoco.MjData(model)
-    data.qpos[:] = configuration
-    mujoco.mj_kinematics(model, data)
-    return {body: Pose(position=data.xpos[body].copy(), quaternion=data.xquat[body].copy()) for body in bodies}
-
-
-def _one_tree(model: mujoco.MjModel, bodies: list[int]) -> bool:
-    """Whether the parents of all bodies but the first are among them."""
-    return set(model.body_parentid[bodies[1:]].tolist()) <= set(bodies)
-
-
-def _poses_below(model: mujoco.MjModel, bodies: list[int]) -> dict[int, Pose]:
-    """Pose in B of each body of a subtree at qpos0, where no joint displaces anything."""
-    root, *descendants = bodies
-    poses = {root: Pose.identity()}
-    for body in descendants:
-        in_parent = Pose(position=model.body_pos[body].copy(), quaternion=model.body_quat[body].copy())
-        poses[body] = poses[int(model.body_parentid[body])].compose(in_parent)
-    return poses
