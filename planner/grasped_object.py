@@ -20,7 +20,11 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
         GraspFileError: When it is not the object the grasp was planned on.
     """
     file = moved or grasp.file
-    if not file.is_file():
+    try:
+        there = file.is_file()
+    except OSError:  # a name that no file can have
+        there = False
+    if not there:
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
     rigid_object = read_object_file(file, grasp.body, grasp.given)
     if rigid_object.sha256 != grasp.sha256:
