@@ -22,7 +22,11 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
     """
     source = grasp.source if moved is None else replace(grasp.source, file=moved)
     file = source.file
-    if not file.is_file():
+    try:
+        there = file.is_file()
+    except OSError:  # a name that no file can have
+        there = False
+    if not there:
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
     rigid_object = read_object_file(source)
     if rigid_object.sha256 != grasp.sha256:

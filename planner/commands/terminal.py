@@ -7,7 +7,7 @@ import shlex
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from enum import IntEnum
 from typing import TypeVar
 
@@ -57,6 +57,8 @@ def parse(options: type[Options], program: str) -> Options:
         return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
     except BrokenPipeError:
         sys.exit(_unread())
+    except OSError as error:
+        sys.exit(_unwritable(Console(), error))
 
 
 def write_json(console: Console, document: object) -> None:
@@ -108,6 +110,8 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
             code = INTERRUPTED
         except BrokenPipeError:
             code = _unread()
+        except OSError as error:
+            code = _unwritable(console, error)
         finally:
             console.clear()
     sys.exit(code)
@@ -115,8 +119,22 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
 
 def _unread() -> int:
     """Whoever read standard output, `head` for example, has seen enough: say no more, and what shells expect."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _say_no_more()
     return 128 + signal.SIGPIPE
+
+
+def _unwritable(console: Console, error: OSError) -> int:
+    """The system refuses: a full device as standard output, above all; one line, if that can be written."""
+    _say_no_more()
+    where = "standard output" if error.filename is None else f"'{error.filename}'"
+    with suppress(OSError):
+        console.complain(f"error: {where}: {error.strerror or error}")
+    return ExitCode.ERROR
+
+
+def _say_no_more() -> None:
+    """Let what was printed and not yet written go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextmanager

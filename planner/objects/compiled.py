@@ -18,7 +18,7 @@ from planner.objects.appearance import MASSLESS, advice, without_culprit
 from planner.objects.body_poses import body_poses, configuration_at, poses_in_world
 from planner.objects.bounded_compile import compile_bounded
 from planner.objects.collides import collides
-from planner.objects.mesh_file import MESH_FILES, mjcf_around
+from planner.objects.mesh_file import refuse_mesh
 from planner.objects.model_tree import body_tree
 from planner.objects.names import name_at
 from planner.objects.obj_file import ObjFile, is_obj, read_obj
@@ -134,8 +134,7 @@ def compile_mjcf(
     Raises:
         ObjectError: If there is no such file, or MuJoCo cannot compile it within the limits of `bounded_compile`.
     """
-    if path.suffix.lower() in MESH_FILES and path.is_file():
-        raise ObjectError(mjcf_around(path))
+    refuse_mesh(path)
     return compile_bounded(path, lambda: _compile(path, change))
 
 

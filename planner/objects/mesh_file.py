@@ -3,13 +3,31 @@
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
+from planner.errors import ObjectError
+
 READ_BY_MUJOCO = (".obj", ".stl", ".msh")
 
 MESH_FILES = (*READ_BY_MUJOCO, ".ply", ".off", ".glb", ".gltf", ".dae", ".3mf", ".fbx", ".step", ".stp")
 """How names of files end that hold a shape but no mass, friction or body."""
 
 
-def mjcf_around(path: Path) -> str:
+def refuse_mesh(path: Path) -> None:
+    """Refuse a mesh that is given in place of an MJCF file, and say what to write around it.
+
+    Raises:
+        ObjectError: If it is one; what cannot be read at all is for the reader to say.
+    """
+    if path.suffix.lower() not in MESH_FILES:
+        return
+    try:
+        there = path.is_file()
+    except OSError:  # a name that no file can have
+        return
+    if there:
+        raise ObjectError(_mjcf_around(path))
+
+
+def _mjcf_around(path: Path) -> str:
     """What to say of a mesh that is given in place of an MJCF file."""
     if path.suffix.lower() not in READ_BY_MUJOCO:
         return (

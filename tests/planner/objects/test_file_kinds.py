@@ -240,6 +240,12 @@ def test_a_mesh_in_place_of_an_object_is_told_which_mjcf_to_write(tmp_path: Path
         np.testing.assert_allclose(thing.extent, [0.05, 0.04, 0.06], rtol=1e-6)
 
 
+@pytest.mark.parametrize("name", ["none.obj", "x" * 300 + ".stl"])
+def test_a_mesh_that_is_not_there_is_said_not_to_be_there(tmp_path: Path, name: str) -> None:
+    with pytest.raises(ObjectError, match="cannot be read"):
+        read_object(tmp_path / name)
+
+
 @pytest.mark.parametrize(("condim", "said"), [(1, False), (3, False), (4, True), (6, True)])
 def test_torsional_friction_of_the_file_is_said_not_to_be_modelled(
     tmp_path: Path, condim: int, said: bool, caplog: pytest.LogCaptureFixture
