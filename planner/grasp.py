@@ -169,6 +169,9 @@ class Grasp:
     given: GivenMass = NOTHING_GIVEN
     """Mass properties that the user gave in place of those of the object's file."""
 
+    center_of_mass: np.ndarray | None = None
+    """Of the object, shape (d,) [m]; None where it is not recorded."""
+
     candidate_choice: CandidateChoice | None = None
     """How the candidates were chosen, where it is known."""
 

@@ -159,6 +159,7 @@ def _grasp(
         certificate=certificate_of(result),
         packages={name: version(name) for name in PACKAGES},
         given=rigid_object.given if isinstance(rigid_object, RigidObject) else NOTHING_GIVEN,
+        center_of_mass=rigid_object.center_of_mass,
         candidate_choice=candidates.choice,
     )
 

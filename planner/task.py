@@ -21,6 +21,7 @@ import numpy as np
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.objects.graspable import Graspable
+from planner.source_file import SourceFile, source_file
 from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
@@ -45,6 +46,12 @@ class Task:
 
     wrenches: np.ndarray
     """Vertices of W_R, shape (l, D) [N, N m]."""
+
+    preset: str | None = None
+    """The preset that it is, where it was chosen by that name."""
+
+    file: SourceFile | None = None
+    """The task file that it was read from. With neither preset nor file, the wrenches are the caller's own."""
 
     def __post_init__(self) -> None:
         dimension = len(finite_vector("reference_point", self.reference_point.tolist(), (2, 3)))
@@ -86,13 +93,14 @@ def make_task(choice: str, object: Graspable) -> Task:
     center = object.center_of_mass
     if choice in PRESETS:
         preset = PRESETS[choice]().for_object(object, center)
-        return Task(name=choice, reference_point=center, wrenches=preset.vertices())
+        return Task(name=choice, reference_point=center, wrenches=preset.vertices(), preset=choice)
     file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT)
     try:
         stated = file.reference_point
         point = center if stated is None else finite_vector("reference_point", stated, (len(center),))
         wrenches = _wrench_set(file.set, object, point).vertices()
-        return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
+        name = file.name or Path(choice).stem
+        return Task(name=name, reference_point=point, wrenches=wrenches, file=source_file(Path(choice)))
     except TaskError as error:
         raise TaskError(f"task file {choice}: {error}") from error
 

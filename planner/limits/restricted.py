@@ -63,7 +63,7 @@ def restricted(rigid_object: Graspable, candidates: Candidates, limits: Limits) 
                 f"{name} leaves none of the {len(candidates)} candidates (removed: {removals(removed)}); loosen the "
                 "limits, or ask for more candidates"
             )
-    return Restricted(candidates=left, removed=removed)
+    return Restricted(candidates=left.chosen(limited=limits != Limits()), removed=removed)
 
 
 def removals(removed: dict[str, int]) -> str:

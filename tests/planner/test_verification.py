@@ -12,7 +12,7 @@ from planner.verification import verify
 
 
 def failures(grasp: Grasp) -> list[str]:
-    return [check.claim for check in verify(grasp) if not check.holds]
+    return [check.claim for check in verify(grasp) if check.fails]
 
 
 def test_the_golden_grasp_is_true(golden_grasp: Grasp) -> None:
