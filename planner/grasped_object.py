@@ -29,4 +29,9 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
             f"{rigid_object.sha256[:12]}… instead of {grasp.sha256[:12]}…); plan it again, or name the original "
             "with --object"
         )
+    if rigid_object.extent.size != grasp.certificate.candidates.dimension:
+        raise GraspFileError(
+            f"{file} holds an object of {rigid_object.extent.size} dimensions, the grasp has contacts of "
+            f"{grasp.certificate.candidates.dimension}; name the object it was planned on with --object"
+        )
     return rigid_object

@@ -17,7 +17,7 @@ def check_mass(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     given = "" if grasp.given.mass is None else ", given in place of the file's"
     claim = f"the object's mass is {grasp.mass:.6g} kg{given}"
     if grasp.center_of_mass is not None:
-        claim += f", its centre at {np.array2string(grasp.center_of_mass, separator=', ', precision=6)} m"
+        claim += f", its centre at ({', '.join(f'{coordinate:.4g}' for coordinate in grasp.center_of_mass)}) m"
     if rigid_object is None:
         return not_checked(claim, NO_OBJECT)
     shift = 0.0
