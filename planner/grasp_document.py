@@ -9,18 +9,11 @@ from planner.grasp import SearchRecord
 from planner.search.result import Status
 
 FORMAT = "rhograsp.grasp"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 Count = Annotated[int, msgspec.Meta(ge=0)]
 Vector = list[float]
-
-
-class Header(msgspec.Struct, frozen=True):
-    """What is read first, to tell a foreign or newer file from a broken one."""
-
-    format: str
-    format_version: int
 
 
 class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -68,18 +61,27 @@ class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
     strength: Positive
 
 
+class CandidatesRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """Where fingers might have gone: one row or number for each candidate."""
+
+    positions: list[Vector]
+    normals: list[Vector]
+    """Inward unit normals."""
+    friction: Vector
+
+
 class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`.
+    """All candidates, and the cuts that prove the lower bound.
 
     The bound is about all subsets of candidates with the right number of fingers of each kind and whose distances keep
     spacing and span.
     """
 
-    file: str
-    sha256: str
-    cuts: Count
+    candidates: CandidatesRecord
+    cuts: list[Vector]
+    """Directions lambda, (force, moment) in body axes."""
     kinds: list[KindRecord] = []
-    """Kinds of fingers, whose candidates follow each other in the side file; left out where all fingers are alike."""
+    """Kinds of fingers, whose candidates follow each other; left out where all fingers are alike."""
     spacing: Positive | None = None
     """Least distance between two contacts [m]; left out where there is none."""
     span: Positive | None = None

@@ -181,7 +181,7 @@ def test_an_edited_truncated_or_newer_grasp_file_is_refused(
     text = golden_file.read_text()
     for content, message in (
         (text[: len(text) // 2], "truncated"),
-        (text.replace('"format_version": 1', '"format_version": 2'), "format version 2"),
+        (text.replace('"format_version": 2', '"format_version": 3'), "format version 3"),
         (text.replace('"rho": 0.669', '"rho": 0.649'), "rho does not agree"),
         ("{}", "not a grasp file"),
     ):

@@ -23,7 +23,7 @@ class Options:
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json, with its side file beside it; or a DexGraspBench *.npy, whose pickle is not run."""
+    """A *.grasp.json; or a DexGraspBench *.npy, whose pickle is not run."""
 
     out: Path
     """The file to write."""

@@ -73,7 +73,7 @@ class Report:
             self._say("no grasp found yet; allow more time")
         else:
             self._contacts(grasp)
-        self._say(f"wrote       {out} and {out.with_suffix('.npz').name}")
+        self._say(f"wrote       {out}")
 
     def others(self, grasps: Sequence[Grasp], files: Sequence[Path]) -> None:
         """The grasps after the best."""

@@ -29,7 +29,7 @@ class Options:
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json."""
 
     object: Path | None = None
     """Where the object's file is now, if it has moved."""

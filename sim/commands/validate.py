@@ -24,7 +24,7 @@ class Options:
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json."""
 
     out: Path | None = None
     """The result to write; by default NAME.validation.json in the current folder (.squeeze.json and .bench.json in the

@@ -23,7 +23,7 @@ class Options:
     """
 
     files: tyro.conf.Positional[tuple[Path, ...]]
-    """One or more *.grasp.json; their side files must be beside them."""
+    """One or more *.grasp.json."""
 
     trial: bool = False
     """Begin with the trial."""
