@@ -40,6 +40,11 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
     if grasp.search.subsets != grasp.certificate.subsets(grasp.search.fingers):
         raise GraspFileError(f"{grasp.search.subsets} subsets are stated; the candidates have another number")
     _check_trace(grasp.search)
+    center = grasp.center_of_mass
+    if center is not None and center.shape != (grasp.certificate.candidates.dimension,):
+        raise GraspFileError(f"the centre of mass has {center.size} coordinates, the candidates another number")
+    if document.planner.version != document.planner.packages.get("rhograsp"):
+        raise GraspFileError(f"made by version {document.planner.version}, with another among the packages: edited?")
     if not grasp.found:
         if document.rho is not None or len(grasp.phi):
             raise GraspFileError("rho and phi are given without contacts")

@@ -6,6 +6,7 @@ from planner.errors import GraspFileError
 from planner.grasp import Grasp
 from planner.objects.graspable import Graspable
 from planner.objects.object_file import read_object_file
+from planner.source_file import is_there
 
 
 def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
@@ -20,7 +21,7 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
         GraspFileError: When it is not the object the grasp was planned on.
     """
     file = moved or grasp.file
-    if not file.is_file():
+    if not is_there(file):
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
     rigid_object = read_object_file(file, grasp.body, grasp.given)
     if rigid_object.sha256 != grasp.sha256:

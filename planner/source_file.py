@@ -4,6 +4,12 @@ import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
+from planner.bounded_read import read_bounded
+from planner.errors import RhograspError
+
+MOST_BYTES = 100_000_000
+"""Largest file: none that is read is larger."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class SourceFile:
@@ -18,7 +24,7 @@ class SourceFile:
     @property
     def there(self) -> bool:
         """Whether there is a file at the path now, changed or not."""
-        return Path(self.path).is_file()
+        return is_there(Path(self.path))
 
     @property
     def unchanged(self) -> bool:
@@ -28,8 +34,17 @@ class SourceFile:
 
 
 def source_file(path: Path) -> SourceFile | None:
-    """The file at a path as it is now; None for what cannot be read twice, a pipe for example."""
-    if not path.is_file():
+    """The file at a path as it is now; None for what cannot be read a second time, a pipe for example."""
+    try:
+        content = read_bounded(path, MOST_BYTES, "file", RhograspError)
+    except RhograspError:
         return None
-    with path.open("rb") as stream:
-        return SourceFile(path=str(path), sha256=hashlib.file_digest(stream, "sha256").hexdigest())
+    return SourceFile(path=str(path), sha256=hashlib.sha256(content).hexdigest())
+
+
+def is_there(path: Path) -> bool:
+    """Whether a path leads to a regular file."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a path that no file can have
+        return False

@@ -11,6 +11,7 @@ from planner.provenance.choice import check_choice
 from planner.provenance.mass import check_mass
 from planner.provenance.surface import check_friction, check_geoms, check_surface
 from planner.provenance.task import check_task
+from planner.source_file import is_there
 
 OBJECT = "the object is the one that was planned on"
 
@@ -26,7 +27,7 @@ def check_provenance(grasp: Grasp, moved: Path | None = None) -> tuple[Check, ..
         One check per claim; where the object is absent or another, the others are not checked.
     """
     rigid_object, first = None, not_checked(OBJECT, f"{moved or grasp.file} is not there; name it with --object")
-    if (moved or grasp.file).is_file():
+    if is_there(moved or grasp.file):
         try:
             rigid_object = read_grasped_object(grasp, moved)
             first = checked(OBJECT, True, f"body '{grasp.body}' of {rigid_object.file}, sha256 {grasp.sha256[:12]}…")

@@ -19,7 +19,7 @@ def check_task(grasp: Grasp, rigid_object: Graspable | None) -> Check:
 
     A task that says neither but bears the name of a preset claims to be that preset.
     """
-    task, why = grasp.task, NO_OBJECT
+    task = grasp.task
     preset = task.preset or (task.name if task.name in PRESETS and task.file is None else None)
     if preset is not None:
         choice, claim = preset, f"the task is the preset '{preset}' of this object"
@@ -33,7 +33,7 @@ def check_task(grasp: Grasp, rigid_object: Graspable | None) -> Check:
         claim = f"the {len(task.wrenches)} wrenches of the task '{task.name}' are the ones that matter"
         return not_checked(claim, "they are the caller's own, of no preset and no file")
     if rigid_object is None:
-        return not_checked(claim, why)
+        return not_checked(claim, NO_OBJECT)
     return _compared(claim, task, choice, rigid_object)
 
 
