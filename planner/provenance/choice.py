@@ -23,6 +23,7 @@ from planner.limits.restricted import restricted
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
 from planner.provenance.mass import NO_OBJECT
+from planner.search.finger_kind import FingerKind
 from planner.source_file import SourceFile
 
 SAME = 1e-7
@@ -82,7 +83,7 @@ def _compared(claim: str, grasp: Grasp, choice: CandidateChoice, rigid_object: G
     recorded, chosen = grasp.certificate, _chosen(choice, rigid_object)
     if choice.confirmed is not None and (choice.limited is False or choice.limits is not None):
         again = _allowed(chosen, choice, grasp.search.fingers, rigid_object)
-        difference = _distances(recorded, again, rigid_object.size) or _difference(recorded, again, rigid_object.size)
+        difference = _difference(recorded, again, rigid_object.size) or _distances(recorded, again, rigid_object.size)
         return checked(claim, not difference, difference or f"chosen again: the same {len(again.candidates)}")
     points = Certificate(candidates=recorded.candidates, cuts=recorded.cuts)
     again = Certificate(candidates=chosen.contacts, cuts=recorded.cuts)
@@ -123,12 +124,17 @@ def _allowed(candidates: Candidates, choice: CandidateChoice, fingers: int, rigi
 def _distances(recorded: Certificate, again: Certificate, size: float) -> str:
     """How kinds of fingers, spacing and span differ, if they do."""
     if recorded.kinds != again.kinds:
-        return f"the kinds of fingers are {recorded.kinds or 'all alike'}, they should be {again.kinds or 'all alike'}"
+        return f"the fingers are {_fingers(recorded.kinds)}; they should be {_fingers(again.kinds)}"
     for name in ("spacing", "span"):
         stated, asked = getattr(recorded, name), getattr(again, name)
         if stated != asked and not abs(stated - asked) <= SAME * size:
             return f"{name} is {stated:g} m, it should be {asked:g} m"
     return ""
+
+
+def _fingers(kinds: tuple[FingerKind, ...]) -> str:
+    """Kinds of fingers in words."""
+    return ", ".join(f"{kind.fingers} of strength {kind.strength:g}" for kind in kinds) or "all alike"
 
 
 def _difference(recorded: Certificate, again: Certificate, size: float) -> str:

@@ -57,9 +57,11 @@ def _compared(claim: str, task: Task, choice: str, rigid_object: Graspable) -> C
             np.split(task.wrenches, [dimension], axis=1), np.split(again.wrenches, [dimension], axis=1), strict=True
         )
     ]
+    if max(differences) <= AGREEMENT and shift <= AGREEMENT * rigid_object.size:
+        return checked(claim, True, f"{changed}made again: the same {len(task.wrenches)} wrenches")
     return checked(
         claim,
-        max(differences) <= AGREEMENT and shift <= AGREEMENT * rigid_object.size,
-        f"{changed}of the largest, forces differ by {differences[0]:.1e} and moments by {differences[1]:.1e}; the "
-        f"reference point by {shift:.1e} m",
+        False,
+        f"{changed}its forces differ by {differences[0]:.2g} of the largest that are asked for, its moments by "
+        f"{differences[1]:.2g}, its reference point by {shift:.2g} m",
     )
