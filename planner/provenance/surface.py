@@ -25,7 +25,7 @@ SAME_NORMAL = 1e-6
 SAME_FRICTION = 1e-6
 """Relative accuracy of a coefficient."""
 
-CHUNK = 10_000_000
+CHUNK = 2_000_000
 """Pairs of points and facets compared at once: bounds the memory."""
 
 

@@ -11,6 +11,7 @@ from planner.grasp_file import read_grasp
 from planner.grasped_object import read_grasped_object
 from planner.provenance.provenance import check_provenance, require_provenance
 from planner.verification import verify
+from tests.commands import run
 from tests.planner.provenance.forgeries import FORGERIES, NOBODY, OBJECT, PROOF, READING, UNCHECKED, Forgery
 from tests.planner.provenance.plans import document_of, preset_plan
 
@@ -62,3 +63,29 @@ def test_what_does_not_belong_to_its_object_is_not_simulated(true_file: Path, fo
     grasp = read_grasp(forged(true_file, forgery))
     with pytest.raises((GraspFileError, ObjectError)):
         require_provenance(grasp, read_grasped_object(grasp))
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "object: mass doubled",
+        "task: all loads a tenth",
+        "contact: geoms swapped",
+        "choice: one more",
+        "candidates: others weakened",
+        "candidates: two thirds deleted, count not",
+        "candidates, contacts and reference point moved 1 cm",
+    ],
+)
+def test_both_commands_refuse_a_forged_file_in_one_line(
+    true_file: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (forgery,) = [each for each in FORGERIES if each.name == name]
+    file = forged(true_file, forgery)
+    out = true_file.with_name("forged.validation.json")
+    assert run("grasp-validate", file, "--out", out, "-q") == 1
+    refused = capsys.readouterr().err
+    assert refused.startswith("error: ") and refused.count("\n") == 1
+    assert not out.exists()
+    assert run("grasp-verify", file) == (1 if forgery.noticed is READING else 5)
+    assert forgery.noticed is READING or "FAIL" in capsys.readouterr().out
