@@ -64,8 +64,18 @@ class Candidates:
         return len(self.part)
 
     def subset(self, indices: np.ndarray) -> "Candidates":
-        """The candidates at `indices`, shape (m,), in that order."""
-        return replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        """The candidates at `indices`, shape (m,), in that order; why these is then the caller's own business."""
+        return self.kept(indices, limited=None)
+
+    def kept(self, indices: np.ndarray, **how: Any) -> "Candidates":
+        """The candidates at `indices`, shape (m,), which anyone can find again who knows how the choice says.
+
+        Args:
+            indices: Those that stay, in their order.
+            how: Fields of `CandidateChoice` that say why.
+        """
+        left = replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        return left.chosen(**how)
 
     def least_friction(self, error: float) -> "Candidates":
         """The candidates with the smallest coefficient of an uncertain friction, mu (1 - error).

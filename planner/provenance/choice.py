@@ -81,7 +81,7 @@ def _compared(claim: str, grasp: Grasp, choice: CandidateChoice, rigid_object: G
     Where the limits are not recorded, candidates may be missing, but none may be there that is not of the choice.
     """
     recorded, chosen = grasp.certificate, _chosen(choice, rigid_object)
-    if choice.confirmed is not None and (choice.limited is False or choice.limits is not None):
+    if choice.confirmed is not None and (choice.limited is False or (choice.limited and choice.limits is not None)):
         again = _allowed(chosen, choice, grasp.search.fingers, rigid_object)
         difference = _difference(recorded, again, rigid_object.size) or _distances(recorded, again, rigid_object.size)
         return checked(claim, not difference, difference or f"chosen again: the same {len(again.candidates)}")

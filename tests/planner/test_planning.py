@@ -51,7 +51,7 @@ def test_the_kept_log_is_what_was_observed(prism: RigidObject) -> None:
         for name in ("seconds", "nodes", "open", "lower_bound", "socp_solves", "cuts"):
             assert getattr(kept, name) == getattr(progress, name), name
         assert kept.incumbent == (progress.incumbent if np.isfinite(progress.incumbent) else None)
-    choice = candidates.subset(np.arange(10)).choice  # what was asked for stays, whichever are left
+    choice = candidates.kept(np.arange(10)).choice  # what was asked for stays, whichever are left
     assert choice == grasp.candidate_choice
     assert choice is not None
     assert (choice.candidates, choice.friction, choice.fingertip, choice.seed) == ("60", None, 0.001, 7)

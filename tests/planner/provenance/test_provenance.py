@@ -181,6 +181,15 @@ def test_limits_made_in_python_leave_open_what_they_removed_but_admit_no_foreign
     assert any("1 of" in detail and "not of this choice" in detail for _, detail in results(read_grasp(file)).values())
 
 
+def test_a_subset_made_in_python_is_no_lie_about_the_choice_it_is_of() -> None:
+    box = read_object_file(ASSETS / "box" / "box.xml")
+    candidates = make_candidates(box, "40", 0.5).subset(np.arange(30))
+    grasp = plan(box, make_task("axes6", box), candidates, 3, QUICK)
+    ((_, (result, detail)),) = results(grasp).items()
+    assert result is Result.NOT_CHECKED
+    assert "removed 10 others" in detail
+
+
 def test_a_task_made_in_python_is_said_to_be_the_callers_own() -> None:
     box = read_object_file(ASSETS / "box" / "box.xml")
     task = Task(name="lift", reference_point=box.center_of_mass, wrenches=np.array([[0, 0, -1.0, 0, 0, 0]]))
