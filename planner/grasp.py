@@ -9,7 +9,7 @@ import numpy as np
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts
 from planner.errors import CandidateError
-from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
 from planner.search.result import Status, relative_gap
 from planner.task import Task
@@ -122,8 +122,8 @@ class Certificate:
 class Grasp:
     """The best grasp found, its forces, its proven bound and where it came from."""
 
-    file: Path
-    """The file of the object: MJCF, or a planar outline."""
+    source: ObjectSource
+    """The file of the object, MJCF or a planar outline, and how it is read."""
 
     sha256: str
     """Digest of the object's files."""
@@ -166,9 +166,6 @@ class Grasp:
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
 
-    given: GivenMass = NOTHING_GIVEN
-    """Mass properties that the user gave in place of those of the object's file."""
-
     center_of_mass: np.ndarray | None = None
     """Of the object, shape (d,) [m]; None where it is not recorded."""
 
@@ -177,6 +174,11 @@ class Grasp:
 
     command: str | None = None
     """The command line that made the grasp, as a shell takes it; None where it was made from Python."""
+
+    @property
+    def file(self) -> Path:
+        """The file of the object: MJCF, or a planar outline."""
+        return self.source.file
 
     @property
     def found(self) -> bool:
@@ -190,6 +192,13 @@ class Grasp:
         Finger i must be able to push with s_i rho, s_i its strength: usually 1, and rho the largest fingertip force.
         """
         return float(self.phi.max(initial=-np.inf)) if self.found else np.inf
+
+    @property
+    def grip(self) -> float:
+        """The largest normal component of a contact force under any wrench of W_R [N]; infinite without a grasp."""
+        if not self.found:
+            return np.inf
+        return float(np.einsum("lmd,md->lm", self.forces, self.contacts.normals).max())
 
     @property
     def critical_wrench(self) -> int:

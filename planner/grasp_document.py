@@ -31,6 +31,10 @@ class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
     """What the user gave in place of the file's mass [kg]."""
     given_center_of_mass: Vector | None = None
     """What the user gave in place of the file's centre of mass, body frame [m]."""
+    locked_joints: list[str] = []
+    """Joints between the object's bodies that are frozen, by name, or "all"; empty for none."""
+    keyframe: str | None = None
+    """Keyframe of the object's file at which they are frozen; null for its initial configuration qpos0."""
 
 
 class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):

@@ -35,6 +35,7 @@ from planner.grasp_document import (
 from planner.grasp_side_file import WITH_SIDE_FILE, with_side_file
 from planner.json_document import MOST_BYTES, Header, decode_json
 from planner.objects.given_mass import GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
 from planner.source_file import SourceFile
 from planner.task import Task
@@ -94,19 +95,11 @@ def read_grasp(path: Path | str) -> Grasp:
 
 
 def _document(path: Path, grasp: Grasp) -> GraspDocument:
-    contacts, center = grasp.contacts, grasp.given.center_of_mass
+    contacts = grasp.contacts
     return GraspDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
-        object=ObjectRecord(
-            mjcf=_relative(grasp.file, path.parent),
-            sha256=grasp.sha256,
-            body=grasp.body,
-            mass=grasp.mass,
-            center_of_mass=None if grasp.center_of_mass is None else grasp.center_of_mass.tolist(),
-            given_mass=grasp.given.mass,
-            given_center_of_mass=None if center is None else center.tolist(),
-        ),
+        object=_object_record(path, grasp),
         task=TaskRecord(
             name=grasp.task.name,
             preset=grasp.task.preset,
@@ -136,6 +129,21 @@ def _document(path: Path, grasp: Grasp) -> GraspDocument:
         certificate=_certificate_record(grasp.certificate),
         planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
         candidate_choice=_placed_choice(grasp.candidate_choice, lambda source: _from_folder(source, path.parent)),
+    )
+
+
+def _object_record(path: Path, grasp: Grasp) -> ObjectRecord:
+    source, center = grasp.source, grasp.source.given.center_of_mass
+    return ObjectRecord(
+        mjcf=_relative(source.file, path.parent),
+        sha256=grasp.sha256,
+        body=grasp.body,
+        mass=grasp.mass,
+        center_of_mass=None if grasp.center_of_mass is None else grasp.center_of_mass.tolist(),
+        given_mass=source.given.mass,
+        given_center_of_mass=None if center is None else center.tolist(),
+        locked_joints=list(source.locked_joints),
+        keyframe=source.keyframe,
     )
 
 
@@ -203,7 +211,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
     certificate = _certificate(document.certificate)
     shape = (len(contacts), certificate.candidates.dimension)
     return Grasp(
-        file=path.parent / document.object.mjcf,
+        source=_source(path, document.object),
         sha256=document.object.sha256,
         body=document.object.body,
         mass=document.object.mass,
@@ -229,7 +237,6 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         search=document.search,
         certificate=certificate,
         packages=document.planner.packages,
-        given=_given(document.object),
         center_of_mass=_point(document.object.center_of_mass),
         candidate_choice=_placed_choice(document.candidate_choice, lambda source: _in_folder(source, path.parent)),
         command=document.planner.command,
@@ -251,8 +258,14 @@ def _certificate(record: CertificateRecord) -> Certificate:
     )
 
 
-def _given(record: ObjectRecord) -> GivenMass:
-    return GivenMass(mass=record.given_mass, center_of_mass=_point(record.given_center_of_mass))
+def _source(path: Path, record: ObjectRecord) -> ObjectSource:
+    return ObjectSource(
+        file=path.parent / record.mjcf,
+        body=record.body,
+        given=GivenMass(mass=record.given_mass, center_of_mass=_point(record.given_center_of_mass)),
+        locked_joints=tuple(record.locked_joints),
+        keyframe=record.keyframe,
+    )
 
 
 def _point(coordinates: list[float] | None) -> np.ndarray | None:

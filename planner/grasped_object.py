@@ -1,5 +1,6 @@
 """The object a grasp file was planned on, read again and known to be unchanged."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from planner.errors import GraspFileError
@@ -20,10 +21,11 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
         ObjectError: When the file cannot be read.
         GraspFileError: When it is not the object the grasp was planned on.
     """
-    file = moved or grasp.file
+    source = grasp.source if moved is None else replace(grasp.source, file=moved)
+    file = source.file
     if not is_there(file):
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
-    rigid_object = read_object_file(file, grasp.body, grasp.given)
+    rigid_object = read_object_file(source)
     if rigid_object.sha256 != grasp.sha256:
         raise GraspFileError(
             f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "

@@ -12,9 +12,7 @@ from planner.grasp import Certificate, Grasp, SearchRecord, TraceLine
 from planner.limits.kinds import Kinds, finger_kinds
 from planner.limits.limits import Limits
 from planner.limits.restricted import restricted
-from planner.objects.given_mass import NOTHING_GIVEN
 from planner.objects.graspable import Graspable
-from planner.objects.rigid_object import RigidObject
 from planner.search.certified import CertifiedSearch
 from planner.search.cover import needed_directions
 from planner.search.evaluation import Evaluation
@@ -131,7 +129,7 @@ def _grasp(
     chosen = found.subset[order] if found else order
     contacts = problem.contacts.subset(chosen)
     return Grasp(
-        file=rigid_object.file,
+        source=rigid_object.source,
         sha256=rigid_object.sha256,
         body=rigid_object.body,
         mass=rigid_object.mass,
@@ -158,7 +156,6 @@ def _grasp(
         ),
         certificate=certificate_of(result),
         packages={name: version(name) for name in PACKAGES},
-        given=rigid_object.given if isinstance(rigid_object, RigidObject) else NOTHING_GIVEN,
         center_of_mass=rigid_object.center_of_mass,
         candidate_choice=candidates.choice,
     )

@@ -14,7 +14,9 @@ MAX_FILE_BYTES = 1_000_000
 T = TypeVar("T")
 
 
-def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError], hint: str = "") -> T:
+def read_toml(
+    path: Path, struct: type[T], name: str, error: type[RhograspError], hint: str = "", sample: str = ""
+) -> T:
     """The content of a TOML file.
 
     Args:
@@ -23,6 +25,7 @@ def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError]
         name: What such a file is called, for the messages.
         error: Kind of error to raise.
         hint: What else a user may have meant, where there is no such file.
+        sample: What ends a complaint about the content: how a file that is right can look.
 
     Raises:
         RhograspError: Of the given kind, if the file cannot be read, is too long, is not TOML, or does not fit.
@@ -37,4 +40,4 @@ def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError]
     try:
         return msgspec.convert(tomllib.loads(content.decode()), struct)
     except (ValueError, RecursionError, msgspec.ValidationError, RhograspError) as cause:  # ValueError: TOML, UTF-8
-        raise error(f"'{path}' is not a {name}: {cause}") from cause
+        raise error(f"'{path}' is not a {name}: {cause}{sample}") from cause

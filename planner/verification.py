@@ -17,6 +17,7 @@ from planner.check import Check, checked
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
 from planner.provenance.provenance import check_provenance
 from planner.search.result import Status
 
@@ -82,7 +83,7 @@ def _broken_limits(grasp: Grasp) -> list[str]:
         points = certificate.candidates.points[chosen]
         distance = float(np.linalg.norm(points[first] - points[second]))
         if not certificate.spacing <= distance <= certificate.span:
-            broken.append(f"contacts {first + 1} and {second + 1} are {distance:.6g} m apart")
+            broken.append(f"contacts {first + 1} and {second + 1} are {in_mm(distance, 6)} mm apart")
     return broken
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from planner.contacts import Contacts
+from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.control import Control
 from sim.displacement import DisplacedGrasp, displaced_grasps
@@ -134,7 +135,7 @@ def displacement_control(
         )
         return Control(
             name="displaced contact",
-            change=f"finger {grasp.finger + 1} moved {grasp.distance:.3g} m, its own rho {phi.max():.5g} N",
+            change=f"finger {grasp.finger + 1} moved {in_mm(grasp.distance, 3)} mm, its own rho {phi.max():.5g} N",
             wrenches=np.array([worst, worst]),
             phi=phi[[worst, worst]],
             caps=outcome.caps,

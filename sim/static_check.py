@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from planner.millimetres import in_mm
 from sim.protocol import ValidationProtocol
 from sim.scene import Scene
 
@@ -36,13 +37,14 @@ class StaticCheck:
             if abs(distance) > self.tolerance:
                 where = "inside" if distance < 0 else "off"
                 sentences.append(
-                    f"fingertip {finger + 1} is {abs(distance):.2g} m {where} the collision surface "
-                    f"(allowed {self.tolerance:.1g} m): not planned on what MuJoCo collides, or a wall is too near"
+                    f"fingertip {finger + 1} is {in_mm(abs(distance), 2)} mm {where} the collision surface "
+                    f"(allowed {in_mm(self.tolerance, 1)} mm): not planned on what MuJoCo collides, or a wall is too "
+                    "near"
                 )
             elif touches > 1:
                 sentences.append(
                     f"fingertip {finger + 1} touches {touches} parts of the object at once even with a radius of "
-                    f"{self.tip_radius:.2g} m: choose another contact"
+                    f"{in_mm(self.tip_radius, 2)} mm: choose another contact"
                 )
         return tuple(sentences)
 

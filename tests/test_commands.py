@@ -73,7 +73,7 @@ def test_one_direction_proves_a_task_beyond_all_candidates(tmp_path: Path, capsy
     top.write_text("x,y,z\n-0.01,-0.01,0.01\n0,-0.01,0.01\n-0.01,0,0.01\n-0.005,-0.005,0.01\n")
     grasp = tmp_path / "top.grasp.json"
     assert run("grasp-plan", PRISM, "--friction", 0.3, "--candidates", top, "--out", grasp) == 3
-    assert says(capsys.readouterr().out, r"direction \(.*\): no contact can push")
+    assert says(capsys.readouterr().out, r"direction \(.*\): no candidate can push")
     assert run("grasp-verify", grasp) == 0
 
 

@@ -17,7 +17,7 @@ class CandidateChoice:
     """What candidates were asked for, in the words of `grasp-plan`'s options: enough to choose the same ones again."""
 
     candidates: str
-    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points."""
+    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points or of a grasp."""
 
     friction: float | None = None
     """Coulomb coefficient of all contacts; None for each geom's own."""
@@ -59,6 +59,9 @@ class Candidates:
 
     choice: CandidateChoice | None = None
     """What was asked for; None for candidates made in another way."""
+
+    moved: float = 0.0
+    """How far listed points were moved onto the surface, at most [m]."""
 
     def __len__(self) -> int:
         return len(self.part)

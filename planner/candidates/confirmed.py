@@ -6,6 +6,7 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.errors import CandidateError
+from planner.millimetres import in_mm
 from planner.objects.collision import measure_collision
 from planner.objects.rigid_object import RigidObject
 
@@ -63,8 +64,8 @@ def confirmed_candidates(rigid_object: RigidObject, candidates: Candidates) -> C
     if not len(kept):
         raise CandidateError(
             f"MuJoCo confirms none of the {len(candidates)} candidates: {off.sum()} are off its surface (the first by "
-            f"{measured.heights[0]:.2g} m), {turned.sum()} have another normal, {crowded.sum()} touch another part; "
-            "grasp-inspect shows the object as MuJoCo collides it"
+            f"{in_mm(measured.heights[0], 2)} mm), {turned.sum()} have another normal, {crowded.sum()} touch another "
+            "part; grasp-inspect shows the object as MuJoCo collides it"
         )
     return Confirmed(
         candidates=candidates.kept(kept, confirmed=True),

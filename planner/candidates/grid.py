@@ -26,7 +26,7 @@ def grid_candidates(
     """Cell centres of every facet, part by part and facet by facet; those inside other parts are left out.
 
     Args:
-        rigid_object: The object; all its parts must be polyhedra.
+        rigid_object: The object; all its parts that fingers may touch must be polyhedra.
         spacing: Wanted edge length of the cells [m].
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
@@ -37,6 +37,8 @@ def grid_candidates(
     check_spacing(rigid_object, spacing)
     facets = []
     for index, part in enumerate(rigid_object.parts):
+        if index in rigid_object.untouchable:
+            continue
         if not isinstance(part, Polyhedron):
             raise CandidateError(
                 f"a grid needs planar facets, but geom '{part.geom}' is a {type(part).__name__.lower()}; "

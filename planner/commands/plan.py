@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.object_options import ObjectOptions
 from planner.commands.terminal import ExitCode, Interruption, as_typed, parse, run, write_json
 
 if TYPE_CHECKING:
@@ -18,18 +19,16 @@ if TYPE_CHECKING:
     from planner.limits.kinds import Kinds
     from planner.limits.limits import Limits
     from planner.objects.graspable import Graspable
+    from planner.objects.object_source import ObjectSource
 
 
 @dataclass(frozen=True, kw_only=True)
-class Options:
+class Options(ObjectOptions):
     """Where should the fingers go, and how strong must they be?
 
     Chooses the contacts on an MJCF object that resist a task with the smallest fingertip force rho, proves that no
     other choice needs less, and writes a grasp file.
     """
-
-    object: tyro.conf.Positional[Path]
-    """MJCF file of the object: what MuJoCo collides is what is planned on. Or the .toml file of a planar one."""
 
     fingers: int = 3
     """How many fingers, 1 to 8."""
@@ -43,24 +42,17 @@ class Options:
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
     is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
-    along each axis; anything else is a TOML file."""
+    along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
+    frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
     facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
-    points x,y,z (planar: x,y)."""
+    points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
+    *.grasp.json, whose contacts are taken."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
-
-    body: str | None = None
-    """Body to grasp, where the file holds several."""
-
-    mass: float | None = None
-    """Mass of the object in kg, where its file has none or a wrong one."""
-
-    com: tuple[float, float, float] | None = None
-    """Centre of mass in the body frame in metres, where the file's is wrong."""
 
     fingertip: float | None = None
     """Radius in metres of the fingertip that must fit beside other parts' walls; by default 0.5 % of the object's
@@ -136,7 +128,6 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
     """Read the object, choose the candidates and search."""
     from planner.candidates.choice import make_candidates
     from planner.candidates.confirmed import confirmed_candidates
-    from planner.objects.given_mass import given_mass
     from planner.objects.object_file import read_object_file
     from planner.objects.rigid_object import RigidObject
     from planner.objects.visual import visual_difference, warn_of_difference
@@ -152,9 +143,9 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         apart=options.apart,
         seed=options.seed,
     )
-    file = _decomposed(options, folder, report, console) if options.decompose else options.object
-    console.show(f"reading {file}")
-    rigid_object = read_object_file(file, options.body, given_mass(options.mass, options.com))
+    source = _decomposed(options, folder, report, console) if options.decompose else options.source
+    console.show(f"reading {source.file}")
+    rigid_object = read_object_file(source)
     task = make_task(options.task, rigid_object)
     console.show(f"choosing candidates: {options.candidates}")
     candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed, options.fingertip)
@@ -172,14 +163,14 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
     return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(Interruption()))
 
 
-def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> Path:
-    """The file to plan on in place of the object's own."""
+def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> "ObjectSource":
+    """What to plan on in place of the object's own file."""
     from planner.decompose import decompose
 
     console.show("cutting meshes into convex parts")
-    file, parts = decompose(options.object, options.body, folder)
-    report.decomposed(file, parts)
-    return file
+    source, parts = decompose(options.source, folder)
+    report.decomposed(source.file, parts)
+    return source
 
 
 def _within_limits(
@@ -200,6 +191,7 @@ def _within_limits(
     report.restricted(allowed)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
     report.kinds(kinds)
+    report.choice(len(allowed.candidates), options.fingers)
     return limits, kinds
 
 

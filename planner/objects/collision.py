@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.objects.compiled import CompiledObject, compile_object
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import norm
 
@@ -76,9 +76,10 @@ class _Ball:
             body.add_geom(name=PROBE, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0], contype=0, conaffinity=0)
             spec.option.ccd_tolerance = CONVERGED
 
-        self._model, _ = compile_mjcf(rigid_object.file, add_ball)
-        self._compiled: CompiledObject = choose_object(self._model, rigid_object.body)
+        self._compiled: CompiledObject = compile_object(rigid_object.source, add_ball)
+        self._model = self._compiled.model
         self._data = mujoco.MjData(self._model)
+        self._data.qpos[:] = self._compiled.configuration
         mujoco.mj_kinematics(self._model, self._data)
         root = next(iter(self._compiled.poses))
         self._rotation = self._data.xmat[root].reshape(3, 3).copy()

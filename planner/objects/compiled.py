@@ -3,17 +3,26 @@
 Frame: the chosen body's frame B, SI.
 """
 
+import os
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
-from planner.errors import ObjectError
-from planner.objects.body_tree import BodyTree
+from planner.errors import MasslessError, ObjectError
+from planner.objects.appearance import MASSLESS, advice, without_culprit
+from planner.objects.body_tree import WORLD, BodyTree, Tie
+from planner.objects.collides import collides
+from planner.objects.mesh_file import MESH_FILES, mjcf_around
+from planner.objects.names import name_at
+from planner.objects.obj_file import ObjFile, is_obj, read_obj
+from planner.objects.object_source import ObjectSource
 from planner.objects.pose import Pose
+from planner.objects.uniform_density import weigh_massless_bodies
 
 
 def _as_it_is(_: mujoco.MjSpec) -> None:
@@ -26,18 +35,30 @@ class CompiledObject:
 
     model: mujoco.MjModel
 
+    complaints: tuple[str, ...]
+    """What was left out to compile it, and why."""
+
     body: str
     """Name of the body, `body<id>` where it has none."""
 
     poses: dict[int, Pose]
-    """Pose in B of each of the object's bodies at qpos0; the root, B itself, comes first."""
+    """Pose in B of each of the object's bodies at `configuration`; that of B itself comes first."""
+
+    pose_in_file: Pose
+    """X_WB at `configuration`: where the file places the body in its world W."""
+
+    configuration: np.ndarray
+    """Coordinates of the model's joints, qpos, at which the object is rigid, shape (nq,)."""
 
     colliding: tuple[int, ...]
     """Geoms of the object that MuJoCo tests for contact with others."""
 
+    untouchable: frozenset[int]
+    """Those of them, by their places in `colliding`, that are not of the body which fingers may touch."""
+
     def geom_name(self, geom: int) -> str:
         """Its name, or `geom<id>` where it has none."""
-        return self.model.geom(geom).name or f"geom{geom}"
+        return name_at(self.model, self.model.name_geomadr, geom, "geom")
 
     def geom_pose(self, geom: int) -> Pose:
         """X_BG."""
@@ -54,16 +75,52 @@ class CompiledObject:
     def mesh(self, geom: int) -> tuple[np.ndarray, np.ndarray]:
         """Vertices in B, shape (n, 3) [m], and triangles of vertex numbers, shape (faces, 3), of a mesh geom.
 
-        MuJoCo recentres meshes: its vertices belong to its pose, those of the file to nothing in the model.
+        MuJoCo recentres meshes: its vertices belong to its pose, those of the file to nothing in the model. Faces that
+        MuJoCo leaves out, see `partly_read`, are among the triangles.
         """
         model, mesh = self.model, int(self.model.geom_dataid[geom])
         vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]]
         faces = model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]
+        if mesh in self.partly_read:
+            faces = self.partly_read[mesh].faces
+            faces = faces[:, ::-1] if model.mesh_scale[mesh].prod() < 0 else faces
         return self.geom_pose(geom).to_body(vertices.astype(float)), faces
 
+    @cached_property
+    def partly_read(self) -> dict[int, ObjFile]:
+        """The object's meshes, by number, whose OBJ file has more faces than MuJoCo reads: those of one group."""
+        geoms = [*self.meshes(colliding=True), *self.meshes(colliding=False)]
+        found = {}
+        for mesh in dict.fromkeys(int(self.model.geom_dataid[geom]) for geom in geoms):
+            path = self._mesh_path(mesh)
+            file = read_obj(path) if is_obj(path) else None
+            if (
+                file is not None
+                and len(file.faces) > self.model.mesh_facenum[mesh]
+                and file.vertices == self.model.mesh_vertnum[mesh]
+            ):
+                found[mesh] = file
+        return found
 
-def compile_mjcf(path: Path, change: Callable[[mujoco.MjSpec], None] = _as_it_is) -> tuple[mujoco.MjModel, str]:
-    """The model of a file, and MuJoCo's complaint where it could only be compiled without textures.
+    @property
+    def parts_of_several_groups(self) -> list[int]:
+        """Places in `colliding` of the mesh geoms that are read in part."""
+        meshes = {geom: int(self.model.geom_dataid[geom]) for geom in self.meshes(colliding=True)}
+        return [self.colliding.index(geom) for geom, mesh in meshes.items() if mesh in self.partly_read]
+
+    def _mesh_path(self, mesh: int) -> Path:
+        start = int(self.model.mesh_pathadr[mesh])
+        if start < 0:
+            return Path()
+        return Path(os.fsdecode(self.model.paths[start : self.model.paths.index(b"\0", start)]))
+
+
+def compile_mjcf(
+    path: Path, change: Callable[[mujoco.MjSpec], None] = _as_it_is
+) -> tuple[mujoco.MjModel, tuple[str, ...]]:
+    """The model of a file, and what had to be left out of what is only seen.
+
+    Bodies that the file asks to be fused, and geoms that it asks to be discarded, are kept.
 
     Args:
         path: The MJCF file; what it includes is found as MuJoCo finds it.
@@ -74,31 +131,24 @@ def compile_mjcf(path: Path, change: Callable[[mujoco.MjSpec], None] = _as_it_is
     """
     if not path.is_file():
         raise ObjectError(f"there is no file '{path}'; give the path of an MJCF object")
+    if path.suffix.lower() in MESH_FILES:
+        raise ObjectError(mjcf_around(path))
+    left_out: list[str] = []
     try:
         spec = mujoco.MjSpec.from_file(str(path))
+        spec.compiler.fusestatic = spec.compiler.discardvisual = False
         change(spec)
-        return _compiled(spec), ""
+        while True:
+            try:
+                return _compiled(spec), tuple(left_out)
+            except (ValueError, mujoco.FatalError) as error:
+                remedy = without_culprit(spec, str(error))
+                if remedy is None:
+                    raise
+                left_out.append(remedy)
     except (ValueError, mujoco.FatalError) as error:
-        model = _compile_without_textures(path, change)
-        if model is None:
-            raise ObjectError(f"MuJoCo cannot compile '{path}': {error}") from error
-        return model, str(error)
-
-
-def _compile_without_textures(path: Path, change: Callable[[mujoco.MjSpec], None]) -> mujoco.MjModel | None:
-    """The model stripped of what physics does not need, or None if that does not help."""
-    try:
-        spec = mujoco.MjSpec.from_file(str(path))
-        if not spec.textures:
-            return None
-        for element in [*spec.geoms, *spec.sites, *spec.tendons]:
-            element.material = ""
-        for asset in [*spec.materials, *spec.textures]:
-            spec.delete(asset)
-        change(spec)
-        return _compiled(spec)
-    except (ValueError, mujoco.FatalError):
-        return None
+        kind = MasslessError if MASSLESS in str(error) else ObjectError
+        raise kind(f"MuJoCo cannot compile '{path}': {error}{advice(str(error))}") from error
 
 
 def _compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
@@ -108,8 +158,48 @@ def _compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
         return spec.compile()
 
 
-def choose_object(model: mujoco.MjModel, body: str | None) -> CompiledObject:
-    """The object of a model: the body asked for, or the only one it can be, with its subtree.
+def compile_object(source: ObjectSource, change: Callable[[mujoco.MjSpec], None] = _as_it_is) -> CompiledObject:
+    """The object of a file; without mass, it is weighed at a uniform density if its mass is given.
+
+    Args:
+        source: How it is read.
+        change: Applied to the parsed file before it is compiled.
+
+    Raises:
+        ObjectError: If the file cannot be compiled, or holds no such rigid object.
+    """
+    compiled = choose_object(*compile_source(source, change), source)
+    if source.given.mass is None or compiled.model.body_mass[list(compiled.poses)].any():
+        return compiled
+    return choose_object(*compile_mjcf(source.file, _weighed(change)), source)
+
+
+def compile_source(
+    source: ObjectSource, change: Callable[[mujoco.MjSpec], None] = _as_it_is
+) -> tuple[mujoco.MjModel, tuple[str, ...]]:
+    """`compile_mjcf` of a file in which something without mass may move, if the object's mass is given.
+
+    Raises:
+        ObjectError: If the file cannot be compiled.
+    """
+    try:
+        return compile_mjcf(source.file, change)
+    except MasslessError:
+        if source.given.mass is None:
+            raise
+        return compile_mjcf(source.file, _weighed(change))
+
+
+def _weighed(change: Callable[[mujoco.MjSpec], None]) -> Callable[[mujoco.MjSpec], None]:
+    def weigh_and_change(spec: mujoco.MjSpec) -> None:
+        weigh_massless_bodies(spec)
+        change(spec)
+
+    return weigh_and_change
+
+
+def choose_object(model: mujoco.MjModel, complaints: tuple[str, ...], source: ObjectSource) -> CompiledObject:
+    """The object of a model: the body asked for, or the only one it can be, with all that is tied to it.
 
     Raises:
         ObjectError: If the body cannot be chosen, is articulated, flexible, or does not collide.
@@ -117,38 +207,102 @@ def choose_object(model: mujoco.MjModel, body: str | None) -> CompiledObject:
     tree = body_tree(model)
     if model.nflex and not tree.colliding_geoms.any():
         raise ObjectError("the file holds flexible bodies only (flex); a rigid object is needed")
-    root = tree.choose(body)
-    bodies = tree.subtree(root)
+    root = tree.choose(source.body)
+    bodies = tree.rigid(root, source.locked_joints)
     if np.isin(model.flex_vertbodyid, bodies).any():
         raise ObjectError(f"body '{tree.names[root]}' is flexible (it has a flex); a rigid object is needed")
-    colliding = _collides(model) & np.isin(model.geom_bodyid, bodies)
+    colliding = np.flatnonzero(collides(model) & np.isin(model.geom_bodyid, bodies))
+    touchable = np.isin(model.geom_bodyid[colliding], tree.below(root))
+    if not touchable.any():
+        raise ObjectError(
+            f"no geom of body '{tree.names[root]}', or of what is fixed below it, collides, so that fingers could "
+            f"touch it; leave --body out, or name another of {', '.join(repr(tree.names[body]) for body in bodies)}"
+        )
+    configuration = _configuration(model, source.keyframe)
     return CompiledObject(
         model=model,
+        complaints=complaints,
         body=tree.names[root],
-        poses=_body_poses(model, bodies),
-        colliding=tuple(int(geom) for geom in np.flatnonzero(colliding)),
+        poses=_body_poses(model, root, bodies, configuration),
+        pose_in_file=_poses_in_world(model, [root], configuration)[root],
+        configuration=configuration,
+        colliding=tuple(int(geom) for geom in colliding),
+        untouchable=frozenset(int(place) for place in np.flatnonzero(~touchable)),
     )
 
 
 def body_tree(model: mujoco.MjModel) -> BodyTree:
     """The bodies of a model."""
-    solid = _collides(model) & (model.geom_type != mujoco.mjtGeom.mjGEOM_PLANE)
+    solid = collides(model) & (model.geom_type != mujoco.mjtGeom.mjGEOM_PLANE)
+    ends = model.body_jntadr + model.body_jntnum
+    joints = tuple(
+        tuple(name_at(model, model.name_jntadr, joint, "joint") for joint in range(start, stop))
+        for start, stop in zip(model.body_jntadr.tolist(), ends.tolist(), strict=True)
+    )
     return BodyTree(
-        names=tuple(model.body(body).name or f"body{body}" for body in range(model.nbody)),
+        names=tuple(name_at(model, model.name_bodyadr, body, "body") for body in range(model.nbody)),
         parents=model.body_parentid,
-        joints=model.body_jntnum,
-        rigid_groups=model.body_weldid,
+        joints=joints,
+        freedoms=model.body_dofnum,
+        constraints=tuple(_constraints(model)),
         masses=model.body_mass,
         colliding_geoms=np.bincount(model.geom_bodyid[solid], minlength=model.nbody),
     )
 
 
-def _collides(model: mujoco.MjModel) -> np.ndarray:
-    """Which geoms MuJoCo tests for contact with others, shape (geoms,); names and groups do not matter."""
-    return (model.geom_contype | model.geom_conaffinity) != 0
+def _constraints(model: mujoco.MjModel) -> Iterator[Tie]:
+    """Active equality constraints that weld bodies to each other, or connect them at a point.
+
+    What is fixed in the world is no part of an object that is welded to it, as it is none of one that hangs on a joint.
+    """
+    for number in range(model.neq):
+        kind = mujoco.mjtEq(model.eq_type[number])
+        ends = [int(model.eq_obj1id[number]), int(model.eq_obj2id[number])]
+        if model.eq_objtype[number] == mujoco.mjtObj.mjOBJ_SITE:
+            ends = [int(model.site_bodyid[site]) for site in ends]
+        if (
+            kind in (mujoco.mjtEq.mjEQ_WELD, mujoco.mjtEq.mjEQ_CONNECT)
+            and model.eq_active0[number]
+            and (model.body_weldid[ends] != WORLD).all()
+        ):
+            name = name_at(model, model.name_eqadr, number, "equality")
+            yield Tie(ends[0], ends[1], () if kind == mujoco.mjtEq.mjEQ_WELD else (name,))
 
 
-def _body_poses(model: mujoco.MjModel, bodies: list[int]) -> dict[int, Pose]:
+def _configuration(model: mujoco.MjModel, keyframe: str | None) -> np.ndarray:
+    """qpos0, or that of a keyframe, shape (nq,)."""
+    if keyframe is None:
+        return model.qpos0.copy()
+    names = [name_at(model, model.name_keyadr, number, "key") for number in range(model.nkey)]
+    if keyframe not in names:
+        listed = ", ".join(f"'{name}'" for name in names) or "none"
+        raise ObjectError(f"there is no keyframe named '{keyframe}'; the file has {listed}")
+    return model.key_qpos[names.index(keyframe)].copy()
+
+
+def _body_poses(model: mujoco.MjModel, root: int, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
+    """Pose in B of each body of the object, that of the root first."""
+    if (configuration == model.qpos0).all() and root == bodies[0] and _one_tree(model, bodies):
+        return _poses_below(model, bodies)
+    in_world = _poses_in_world(model, bodies, configuration)
+    to_root = in_world[root].inverse()
+    others = [body for body in bodies if body != root]
+    return {root: Pose.identity()} | {body: to_root.compose(in_world[body]) for body in others}
+
+
+def _poses_in_world(model: mujoco.MjModel, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
+    data = mujoco.MjData(model)
+    data.qpos[:] = configuration
+    mujoco.mj_kinematics(model, data)
+    return {body: Pose(position=data.xpos[body].copy(), quaternion=data.xquat[body].copy()) for body in bodies}
+
+
+def _one_tree(model: mujoco.MjModel, bodies: list[int]) -> bool:
+    """Whether the parents of all bodies but the first are among them."""
+    return set(model.body_parentid[bodies[1:]].tolist()) <= set(bodies)
+
+
+def _poses_below(model: mujoco.MjModel, bodies: list[int]) -> dict[int, Pose]:
     """Pose in B of each body of a subtree at qpos0, where no joint displaces anything."""
     root, *descendants = bodies
     poses = {root: Pose.identity()}

@@ -14,6 +14,13 @@ def whole_surface(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray, np
     return triangles, np.repeat(np.arange(len(surfaces)), [len(each) for _, each in surfaces]), facets
 
 
+def touchable_surface(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """`whole_surface` of the parts that fingers may touch."""
+    triangles, part, facet = whole_surface(rigid_object)
+    touchable = rigid_object.touchable[part]
+    return triangles[touchable], part[touchable], facet[touchable]
+
+
 def areas(triangles: np.ndarray) -> np.ndarray:
     """Of triangles of shape (n, 3, 3) [m]: shape (n,) [m^2]."""
     edges = triangles[:, 1:] - triangles[:, :1]

@@ -26,7 +26,7 @@ class SurfaceSurvey(NamedTuple):
     """Area of the outside of their union."""
 
     reachable: float
-    """Area of the outside where a fingertip fits beside other parts' walls."""
+    """Area of the outside where a fingertip fits beside other parts' walls, of the parts that fingers may touch."""
 
     samples: int
     """Random points asked."""
@@ -46,7 +46,7 @@ def survey_surface(rigid_object: RigidObject, fingertip: float | None = None) ->
     drawn, index = random_points(triangles, SAMPLES, np.random.Generator(np.random.PCG64(0)))
     points, normals = project(rigid_object, drawn, part[index], facet[index])
     outside = exposed(rigid_object, points, normals, part[index])
-    reached = reachable(rigid_object, points, normals, part[index], fingertip)
+    reached = reachable(rigid_object, points, normals, part[index], fingertip) & rigid_object.touchable[part[index]]
     whole = float(areas(triangles).sum())
     shares = 1 / _surfaces_through(rigid_object, points)
     return SurfaceSurvey(

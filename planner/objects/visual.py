@@ -12,7 +12,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.millimetres import in_mm, point_in_mm
+from planner.objects.compiled import CompiledObject, compile_object
 from planner.objects.exposure import exposed
 from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
@@ -53,10 +54,9 @@ class VisualDifference:
         return self.typical > LARGE * self.size
 
     def __str__(self) -> str:
-        where = ", ".join(f"{1000 * coordinate:.4g}" for coordinate in self.where)
         return (
-            f"{1000 * self.typical:.2g} mm ({self.typical / self.size:.1%} of the size) off the collision surface at "
-            f"the 95th percentile, at most {1000 * self.largest:.2g} mm, at ({where}) mm"
+            f"{in_mm(self.typical, 2)} mm ({self.typical / self.size:.1%} of the size) off the collision surface at "
+            f"the 95th percentile, at most {in_mm(self.largest, 2)} mm, at {point_in_mm(self.where)} mm"
         )
 
 
@@ -72,8 +72,7 @@ def visual_difference(rigid_object: RigidObject) -> VisualDifference | None:
     Raises:
         ObjectError: If the file cannot be compiled any more.
     """
-    model, _ = compile_mjcf(rigid_object.file)
-    triangles = seen_triangles(choose_object(model, rigid_object.body))
+    triangles = seen_triangles(compile_object(rigid_object.source))
     if not len(triangles):
         return None
     generator = np.random.Generator(np.random.PCG64(0))

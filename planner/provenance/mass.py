@@ -14,7 +14,7 @@ NO_OBJECT = "the object was not read"
 
 def check_mass(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     """Mass and centre of mass are the object's, or those that the grasp says were given in their place."""
-    given = "" if grasp.given.mass is None else ", given in place of the file's"
+    given = "" if grasp.source.given.mass is None else ", given in place of the file's"
     claim = f"the object's mass is {grasp.mass:.6g} kg{given}"
     if grasp.center_of_mass is not None:
         claim += f", its centre at ({', '.join(f'{coordinate:.4g}' for coordinate in grasp.center_of_mass)}) m"

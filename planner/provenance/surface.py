@@ -81,10 +81,11 @@ def _same(friction: np.ndarray, expected: np.ndarray) -> np.ndarray:
 
 
 def _parts_at(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    """On the outer surface of which parts each point lies, shape (parts, n)."""
+    """On the outer surface of which parts, of those that fingers may touch, each point lies, shape (parts, n)."""
     tolerance = ON_SURFACE * rigid_object.size
     there = np.zeros((len(rigid_object.parts), len(points)), dtype=bool)
-    for index, part in enumerate(rigid_object.parts):
+    for index in np.flatnonzero(rigid_object.touchable).tolist():
+        part = rigid_object.parts[index]
         if isinstance(part, Polyhedron):
             on = _on_planes(part, points, normals, tolerance)
         else:

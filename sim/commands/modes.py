@@ -6,7 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.bench import BenchOutcome
 from sim.benches.bench_file import write_bench
@@ -93,7 +96,7 @@ def bench(
         write=lambda out: write_bench(out, outcome, grasp=options.file.name),
         lines=[
             f"bench       fingertips squeeze with {outcome.squeeze:.5g} N; the object moved at most "
-            f"{1000 * outcome.translations.max():.3g} mm and {outcome.rotations.max():.3g} rad",
+            f"{in_mm(outcome.translations.max(), 3)} mm and turned {np.rad2deg(outcome.rotations.max()):.3g} degrees",
             f"verdict     {'PASS' if outcome.passed else 'FAIL'} ({outcome.settings.name})",
             *(f"because     {reason}" for reason in outcome.reasons),
         ],

@@ -125,6 +125,17 @@ def test_a_broken_file_is_refused_with_its_name_and_what_is_allowed(tmp_path: Pa
     assert str(path) in str(caught.value)
 
 
+def test_limits_are_read_from_a_path_given_as_text(tmp_path: Path) -> None:
+    assert read_limits(str(written(tmp_path, "span = 0.1")), brick()).span == 0.1
+
+
+def test_a_complaint_about_the_content_shows_a_whole_file_that_works(tmp_path: Path) -> None:
+    with pytest.raises(LimitsError) as caught:
+        read_limits(written(tmp_path, "spam = 0.1"), brick())
+    _, sample = str(caught.value).split("can be: ")
+    assert read_limits(written(tmp_path, sample), brick()).span == 0.12
+
+
 def test_a_planar_object_has_planar_limits(tmp_path: Path) -> None:
     planar = planar_object(RECTANGLE)
     path = written(tmp_path, "[table]\nnormal = [0, 1]\nclearance = 0.01")

@@ -7,6 +7,7 @@ import pytest
 
 from planner.errors import ObjectError
 from planner.objects.object_file import read_object_file
+from planner.objects.object_source import ObjectSource
 from planner.objects.planar import read_planar
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
@@ -98,7 +99,7 @@ def test_files_that_cannot_be_read_are_refused(tmp_path: Path) -> None:
 def test_what_a_file_is_decides_how_it_is_read(tmp_path: Path) -> None:
     wedge = written(tmp_path, TRIANGLE, "wedge.toml")
     assert isinstance(read_object_file(wedge), PlanarObject)
-    assert isinstance(read_object_file(wedge, "wedge"), PlanarObject)
+    assert isinstance(read_object_file(ObjectSource(file=wedge, body="wedge")), PlanarObject)
     assert isinstance(read_object_file(PRISM), RigidObject)
     with pytest.raises(ObjectError, match=r"no body 'lid'.*one, 'wedge'"):
-        read_object_file(wedge, "lid")
+        read_object_file(ObjectSource(file=wedge, body="lid"))
