@@ -35,7 +35,8 @@ class Options:
     """Where the object's file is now, if it has moved."""
 
     json: bool = False
-    """Print one JSON document with the outcome to standard output; words then go to standard error."""
+    """Print one JSON document with the outcome to standard output; words then go to standard error. Its "checks" list
+    each claim with its result: holds, fails, or not checked."""
 
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
     """Print nothing but errors (and what --json asks for)."""

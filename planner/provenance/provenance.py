@@ -49,15 +49,20 @@ def check_against(grasp: Grasp, rigid_object: Graspable | None) -> tuple[Check, 
     )
 
 
-def require_provenance(grasp: Grasp, rigid_object: Graspable) -> None:
+def require_provenance(grasp: Grasp, rigid_object: Graspable) -> tuple[Check, ...]:
     """Refuse a grasp that does not belong to its object.
+
+    Returns:
+        The claims about the object: none is false, some may not have been checked.
 
     Raises:
         GraspFileError: If a claim about the object is false; the message has the first.
     """
-    for check in check_against(grasp, rigid_object):
+    checks = check_against(grasp, rigid_object)
+    for check in checks:
         if check.fails:
             raise GraspFileError(
                 f"the grasp does not belong to {rigid_object.file}: it is false that {check.claim} ({check.detail}); "
                 "nothing was simulated, grasp-verify checks the other claims"
             )
+    return checks

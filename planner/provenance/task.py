@@ -31,7 +31,7 @@ def check_task(grasp: Grasp, rigid_object: Graspable | None) -> Check:
             return not_checked(claim, "the file is not there")
     else:
         claim = f"the {len(task.wrenches)} wrenches of the task '{task.name}' are the ones that matter"
-        return not_checked(claim, "they are the caller's own, of no preset and no file")
+        return not_checked(claim, "it names neither preset nor task file: they are the caller's own")
     if rigid_object is None:
         return not_checked(claim, NO_OBJECT)
     return _compared(claim, task, choice, rigid_object)

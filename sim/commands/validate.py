@@ -20,7 +20,8 @@ class Options:
     another contact must change the outcome as predicted, and nothing may creep without load.
 
     A grasp that does not belong to its object is refused before anything is simulated: mass, task and candidates are
-    made again from the object as grasp-verify does, and compared. Whether the bound is proven is not asked here.
+    made again from the object as grasp-verify does, and compared; what of that cannot be checked is said. Whether the
+    bound is proven is not asked here.
     """
 
     file: tyro.conf.Positional[Path]
@@ -76,7 +77,9 @@ def validate_command(options: Options, console: Console) -> ExitCode:
         raise GraspFileError(f"{options.file} holds no grasp (status {grasp.status}): there is nothing to validate")
     rigid_object = read_grasped_object(grasp, options.object)
     console.show("comparing the grasp with its object")
-    require_provenance(grasp, rigid_object)
+    for check in require_provenance(grasp, rigid_object):
+        if not check.holds:
+            console.say(f"unchecked   {check.claim} ({check.detail})")
     rigid_object, grasp = in_space(rigid_object, grasp)
     console.show("building the scene")
     began = perf_counter()

@@ -65,6 +65,14 @@ def test_what_does_not_belong_to_its_object_is_not_simulated(true_file: Path, fo
         require_provenance(grasp, read_grasped_object(grasp))
 
 
+def test_validating_says_what_it_could_not_compare(true_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (forgery,) = [each for each in FORGERIES if each.name == "task: preset forgotten, another name"]
+    file = forged(true_file, forgery)
+    assert run("grasp-validate", file, "--out", true_file.with_name("own.validation.json")) == 0
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("unchecked")]
+    assert "task 'mine'" in line and "caller's own" in line
+
+
 @pytest.mark.parametrize(
     "name",
     [
