@@ -38,7 +38,9 @@ def check_choice(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     choice = grasp.candidate_choice
     if choice is None:
         return not_checked("no candidate was left out or added", "how they were chosen is not recorded")
-    claim = f"the candidates are those of the choice '{choice.candidates}'{_filters(choice)}"
+    file = _file(choice)
+    source = f"the choice '{choice.candidates}'" if file is None else f"the file {file.path}"
+    claim = f"the candidates are those of {source}{_filters(choice)}"
     if obstacle := _obstacle(choice):
         return not_checked(claim, obstacle)
     if rigid_object is None:
@@ -64,7 +66,12 @@ def _filters(choice: CandidateChoice) -> str:
 
 
 def _sources(choice: CandidateChoice) -> list[SourceFile]:
-    return [source for source in (choice.file, choice.limits) if source is not None]
+    return [source for source in (_file(choice), choice.limits) if source is not None]
+
+
+def _file(choice: CandidateChoice) -> SourceFile | None:
+    """The file of points; a choice that needs none has none, whatever else is recorded."""
+    return None if repeatable(choice.candidates) else choice.file
 
 
 def _obstacle(choice: CandidateChoice) -> str | None:
@@ -76,31 +83,35 @@ def _obstacle(choice: CandidateChoice) -> str | None:
 
 
 def _compared(claim: str, grasp: Grasp, choice: CandidateChoice, rigid_object: Graspable) -> Check:
-    """The recorded candidates against those that the choice gives today.
-
-    Where the limits are not recorded, candidates may be missing, but none may be there that is not of the choice.
-    """
+    """The recorded candidates against those that the choice gives today."""
     recorded, chosen = grasp.certificate, _chosen(choice, rigid_object)
-    if choice.confirmed is not None and (choice.limited is False or (choice.limited and choice.limits is not None)):
-        again = _allowed(chosen, choice, grasp.search.fingers, rigid_object)
-        difference = _difference(recorded, again, rigid_object.size) or _distances(recorded, again, rigid_object.size)
-        return checked(claim, not difference, difference or f"chosen again: the same {len(again.candidates)}")
+    if choice.confirmed is None or choice.limited is None or (choice.limited and choice.limits is None):
+        return _among(claim, recorded, chosen, choice, rigid_object.size)
+    again = _allowed(chosen, choice, grasp.search.fingers, rigid_object)
+    difference = _difference(recorded, again, rigid_object.size) or _distances(recorded, again, rigid_object.size)
+    return checked(claim, not difference, difference or f"chosen again: the same {len(again.candidates)}")
+
+
+def _among(claim: str, recorded: Certificate, chosen: Candidates, choice: CandidateChoice, size: float) -> Check:
+    """Where it is not recorded what removed candidates: some may be missing, but none may be of another choice."""
     points = Certificate(candidates=recorded.candidates, cuts=recorded.cuts)
     again = Certificate(candidates=chosen.contacts, cuts=recorded.cuts)
-    foreign, missing = _unlike(points, again, rigid_object.size), _unlike(again, points, rigid_object.size)
+    foreign, missing = _unlike(points, again, size), _unlike(again, points, size)
     if foreign:
         return checked(claim, False, f"{foreign} of {len(recorded.candidates)} are not of this choice")
-    why = "all are of this choice; "
     if choice.limited:
-        return not_checked(claim, f"{why}the limits that may have removed {missing} others are the caller's own")
-    if missing or recorded.kinds or recorded.spacing or np.isfinite(recorded.span):
-        return not_checked(claim, f"{why}whether limits or MuJoCo removed {missing} others is not recorded")
-    return checked(claim, True, f"chosen again: the same {len(again.candidates)}")
+        why = f"the limits that may have removed {missing} others are the caller's own"
+    elif missing or recorded.kinds or recorded.spacing or np.isfinite(recorded.span):
+        why = f"whether limits or MuJoCo removed {missing} others is not recorded"
+    else:
+        return checked(claim, True, f"chosen again: the same {len(again.candidates)}")
+    return not_checked(claim, f"all are of this choice; {why}")
 
 
 def _chosen(choice: CandidateChoice, rigid_object: Graspable) -> Candidates:
     """The candidates before limits."""
-    words = choice.candidates if choice.file is None else choice.file.path
+    file = _file(choice)
+    words = choice.candidates if file is None else file.path
     candidates = make_candidates(rigid_object, words, choice.friction, choice.seed, choice.fingertip)
     candidates = candidates.least_friction(choice.friction_error)
     if choice.confirmed and isinstance(rigid_object, RigidObject):

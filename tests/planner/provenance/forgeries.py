@@ -372,7 +372,8 @@ FORGERIES = (
     Forgery(
         name="choice: a file that is not there",
         alter=put("candidate_choice/file", {"path": "nowhere.csv", "sha256": 64 * "0"}),
-        noticed=UNCHECKED,
+        noticed=NOBODY,
+        why="a number of points needs no file, and is what is chosen again",
     ),
     Forgery(name="choice: friction given", alter=put("candidate_choice/friction", 0.5), noticed=OBJECT),
     Forgery(name="choice: friction error", alter=put("candidate_choice/friction_error", 0.1), noticed=OBJECT),

@@ -73,19 +73,39 @@ def test_a_plan_of_files_is_true_wherever_it_is_read_from(
         (
             "points.csv",
             POINTS.replace("0.02,0.012", "0.01,0.012"),
-            "those of the choice",
+            "those of the file",
             "24 candidates, 2 not of this choice",
         ),
-        ("points.csv", POINTS + "0.015,0.012,0.072", "those of the choice", "it gives 26, 2 of them missing"),
-        ("limits.toml", LIMITS.replace("0.004", "0.003"), "those of the choice", "spacing is 0.004 m, it should be"),
+        (
+            "points.csv",
+            POINTS + "0.015,0.012,0.072",
+            "those of the file",
+            "it gives 26, 2 of them missing",
+        ),
+        (
+            "limits.toml",
+            LIMITS.replace("0.004", "0.003"),
+            "those of the file",
+            "spacing is 0.004 m, it should be",
+        ),
         (
             "limits.toml",
             LIMITS.replace("0.8", "0.5"),
-            "those of the choice",
+            "those of the file",
             "1 of strength 0.8; they should be",
         ),
-        ("limits.toml", LIMITS.replace("-0.03", "-0.1"), "those of the choice", "limits.toml has changed since; "),
-        ("limits.toml", "spacing = -1", "those of the choice", "has changed since; they cannot be chosen again"),
+        (
+            "limits.toml",
+            LIMITS.replace("-0.03", "-0.1"),
+            "those of the file",
+            "limits.toml has changed since; ",
+        ),
+        (
+            "limits.toml",
+            "spacing = -1",
+            "those of the file",
+            "has changed since; they cannot be chosen again",
+        ),
     ],
 )
 def test_a_file_that_asks_for_something_else_now_is_noticed(
@@ -97,7 +117,7 @@ def test_a_file_that_asks_for_something_else_now_is_noticed(
     assert says(detail, why)
 
 
-@pytest.mark.parametrize(("name", "claim"), [("knock.toml", "the task 'knock'"), ("points.csv", "choice")])
+@pytest.mark.parametrize(("name", "claim"), [("knock.toml", "the task 'knock'"), ("points.csv", "those of the file")])
 def test_a_file_that_only_reads_otherwise_is_true_and_said_to_have_changed(filed: Path, name: str, claim: str) -> None:
     file = filed.parent / name
     file.write_text(file.read_text() + "\n# a comment\n")
