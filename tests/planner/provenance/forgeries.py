@@ -254,6 +254,8 @@ FORGERIES = (
     Forgery(name="object: sha256", alter=put("object/sha256", 64 * "0"), noticed=OBJECT),
     Forgery(name="object: another body", alter=put("object/body", "peg"), noticed=OBJECT),
     Forgery(name="object: no such body", alter=put("object/body", "anvil"), noticed=OBJECT),
+    Forgery(name="object: a keyframe", alter=put("object/keyframe", "home"), noticed=READING),
+    Forgery(name="object: a locked joint", alter=put("object/locked_joints", ["hinge"]), noticed=OBJECT),
     Forgery(name="object: mass doubled", alter=put("object/mass", times(2)), noticed=OBJECT),
     Forgery(name="object: centre of mass moved", alter=put("object/center_of_mass/0", plus(0.01)), noticed=OBJECT),
     Forgery(name="object: centre in the plane", alter=put("object/center_of_mass", [0.0, 0.0]), noticed=READING),
