@@ -166,6 +166,9 @@ class Grasp:
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
 
+    center_of_mass: np.ndarray | None = None
+    """Of the object, shape (d,) [m]; None where it is not recorded."""
+
     candidate_choice: CandidateChoice | None = None
     """How the candidates were chosen, where it is known."""
 

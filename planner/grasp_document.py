@@ -7,6 +7,7 @@ import msgspec
 from planner.candidates.candidates import CandidateChoice
 from planner.grasp import SearchRecord
 from planner.search.result import Status
+from planner.source_file import SourceFile
 
 FORMAT = "rhograsp.grasp"
 FORMAT_VERSION = 2
@@ -24,6 +25,8 @@ class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
     sha256: str
     body: str
     mass: float
+    center_of_mass: Vector | None = None
+    """Body frame [m]; null in files of before it was kept."""
     given_mass: float | None = None
     """What the user gave in place of the file's mass [kg]."""
     given_center_of_mass: Vector | None = None
@@ -38,6 +41,10 @@ class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
     """The required external force set."""
 
     name: str
+    preset: str | None = None
+    """The preset that it is on this object, where it was chosen by that name."""
+    file: SourceFile | None = None
+    """The task file that it was read from; with neither preset nor file, the wrenches are the caller's own."""
     reference_point: Vector
     """Point that moments are about, body frame [m]."""
     wrenches: list[Vector]

@@ -6,7 +6,8 @@ numbers are true is the business of `planner.verification`.
 
 import os
 import re
-from dataclasses import asdict
+from collections.abc import Callable
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import msgspec
@@ -14,6 +15,7 @@ import numpy as np
 
 from planner.atomic_write import write_atomically
 from planner.bounded_read import read_bounded
+from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, OutputError, RhograspError
 from planner.grasp import Certificate, Grasp
@@ -35,6 +37,7 @@ from planner.json_document import MOST_BYTES, Header, decode_json
 from planner.objects.given_mass import GivenMass
 from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
+from planner.source_file import SourceFile
 from planner.task import Task
 
 SUFFIX = ".grasp.json"
@@ -99,6 +102,8 @@ def _document(path: Path, grasp: Grasp) -> GraspDocument:
         object=_object_record(path, grasp),
         task=TaskRecord(
             name=grasp.task.name,
+            preset=grasp.task.preset,
+            file=_from_folder(grasp.task.file, path.parent),
             reference_point=grasp.task.reference_point.tolist(),
             wrenches=grasp.task.wrenches.tolist(),
         ),
@@ -123,7 +128,7 @@ def _document(path: Path, grasp: Grasp) -> GraspDocument:
         search=grasp.search,
         certificate=_certificate_record(grasp.certificate),
         planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
-        candidate_choice=grasp.candidate_choice,
+        candidate_choice=_placed_choice(grasp.candidate_choice, lambda source: _from_folder(source, path.parent)),
     )
 
 
@@ -134,6 +139,7 @@ def _object_record(path: Path, grasp: Grasp) -> ObjectRecord:
         sha256=grasp.sha256,
         body=grasp.body,
         mass=grasp.mass,
+        center_of_mass=None if grasp.center_of_mass is None else grasp.center_of_mass.tolist(),
         given_mass=source.given.mass,
         given_center_of_mass=None if center is None else center.tolist(),
         locked_joints=list(source.locked_joints),
@@ -164,6 +170,23 @@ def _relative(file: Path, folder: Path) -> str:
         return file.resolve().as_posix()
 
 
+def _from_folder(source: SourceFile | None, folder: Path) -> SourceFile | None:
+    """A file as seen from `folder`."""
+    return None if source is None else replace(source, path=_relative(Path(source.path), folder))
+
+
+def _in_folder(source: SourceFile | None, folder: Path) -> SourceFile | None:
+    """A file seen from `folder`, as seen from the current folder."""
+    return None if source is None else replace(source, path=str(folder / source.path))
+
+
+def _placed_choice(
+    choice: CandidateChoice | None, place: Callable[[SourceFile | None], SourceFile | None]
+) -> CandidateChoice | None:
+    """A choice with its files as seen from elsewhere."""
+    return None if choice is None else replace(choice, file=place(choice.file), limits=place(choice.limits))
+
+
 def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
@@ -192,7 +215,13 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         sha256=document.object.sha256,
         body=document.object.body,
         mass=document.object.mass,
-        task=Task(name=task.name, reference_point=np.array(task.reference_point), wrenches=np.array(task.wrenches)),
+        task=Task(
+            name=task.name,
+            reference_point=np.array(task.reference_point),
+            wrenches=np.array(task.wrenches),
+            preset=task.preset,
+            file=_in_folder(task.file, path.parent),
+        ),
         contacts=Contacts(
             points=np.array([contact.position for contact in contacts], dtype=float).reshape(shape),
             normals=np.array([contact.normal for contact in contacts], dtype=float).reshape(shape),
@@ -208,7 +237,8 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         search=document.search,
         certificate=certificate,
         packages=document.planner.packages,
-        candidate_choice=document.candidate_choice,
+        center_of_mass=_point(document.object.center_of_mass),
+        candidate_choice=_placed_choice(document.candidate_choice, lambda source: _in_folder(source, path.parent)),
         command=document.planner.command,
     )
 
@@ -229,11 +259,14 @@ def _certificate(record: CertificateRecord) -> Certificate:
 
 
 def _source(path: Path, record: ObjectRecord) -> ObjectSource:
-    center = record.given_center_of_mass
     return ObjectSource(
         file=path.parent / record.mjcf,
         body=record.body,
-        given=GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center)),
+        given=GivenMass(mass=record.given_mass, center_of_mass=_point(record.given_center_of_mass)),
         locked_joints=tuple(record.locked_joints),
         keyframe=record.keyframe,
     )
+
+
+def _point(coordinates: list[float] | None) -> np.ndarray | None:
+    return None if coordinates is None else np.array(coordinates, dtype=float)

@@ -7,6 +7,7 @@ from planner.errors import GraspFileError
 from planner.grasp import Grasp
 from planner.objects.graspable import Graspable
 from planner.objects.object_file import read_object_file
+from planner.source_file import is_there
 
 
 def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
@@ -22,11 +23,7 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
     """
     source = grasp.source if moved is None else replace(grasp.source, file=moved)
     file = source.file
-    try:
-        there = file.is_file()
-    except OSError:  # a name that no file can have
-        there = False
-    if not there:
+    if not is_there(file):
         raise GraspFileError(f"the object {file} is not there; say where it is now with --object")
     rigid_object = read_object_file(source)
     if rigid_object.sha256 != grasp.sha256:
@@ -34,5 +31,10 @@ def read_grasped_object(grasp: Grasp, moved: Path | None = None) -> Graspable:
             f"{file}, or a file it includes, has changed since the grasp was planned (sha256 "
             f"{rigid_object.sha256[:12]}… instead of {grasp.sha256[:12]}…); plan it again, or name the original "
             "with --object"
+        )
+    if rigid_object.extent.size != grasp.certificate.candidates.dimension:
+        raise GraspFileError(
+            f"{file} holds an object of {rigid_object.extent.size} dimensions, the grasp has contacts of "
+            f"{grasp.certificate.candidates.dimension}; name the object it was planned on with --object"
         )
     return rigid_object

@@ -156,6 +156,7 @@ def _grasp(
         ),
         certificate=certificate_of(result),
         packages={name: version(name) for name in PACKAGES},
+        center_of_mass=rigid_object.center_of_mass,
         candidate_choice=candidates.choice,
     )
 

@@ -28,6 +28,7 @@ from planner.objects.graspable import Graspable
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
 from planner.plausibility import gravity_doubts
+from planner.source_file import SourceFile, source_file
 from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
@@ -54,6 +55,12 @@ class Task:
 
     wrenches: np.ndarray
     """Vertices of W_R in the body frame, shape (l, D) [N, N m]."""
+
+    preset: str | None = None
+    """The preset that it is, where it was chosen by that name."""
+
+    file: SourceFile | None = None
+    """The task file that it was read from. With neither preset nor file, the wrenches are the caller's own."""
 
     def __post_init__(self) -> None:
         dimension = len(finite_vector("reference_point", self.reference_point.tolist(), (2, 3)))
@@ -102,7 +109,7 @@ def make_task(choice: str, object: Graspable) -> Task:
     center = object.center_of_mass
     if choice in PRESETS:
         preset = _preset(PRESETS[choice](), object, center)
-        return Task(name=choice, reference_point=center, wrenches=preset.vertices())
+        return Task(name=choice, reference_point=center, wrenches=preset.vertices(), preset=choice)
     sample = SAMPLES[len(center)]
     file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT + sample, sample)
     try:
@@ -110,7 +117,8 @@ def make_task(choice: str, object: Graspable) -> Task:
         stated = file.reference_point
         point = center if stated is None else _point(pose, finite_vector("reference_point", stated, (len(center),)))
         wrenches = _turned(pose, _wrench_set(file.set, object, point).vertices())
-        return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
+        name = file.name or Path(choice).stem
+        return Task(name=name, reference_point=point, wrenches=wrenches, file=source_file(Path(choice)))
     except TaskError as error:
         raise TaskError(f"task file {choice}: {error}{sample}") from error
 

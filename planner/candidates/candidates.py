@@ -1,6 +1,7 @@
 """Candidate contacts, each tied to the part and facet of the object it lies on."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -8,11 +9,12 @@ from planner.contacts import Contacts
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
+from planner.source_file import SourceFile
 
 
 @dataclass(frozen=True, kw_only=True)
 class CandidateChoice:
-    """What candidates were asked for, in the words of `grasp-plan`'s options."""
+    """What candidates were asked for, in the words of `grasp-plan`'s options: enough to choose the same ones again."""
 
     candidates: str
     """A number of points, `grid:SPACING`, `case3`, or the path of a file of points or of a grasp."""
@@ -28,6 +30,18 @@ class CandidateChoice:
 
     seed: int = 0
     """Seed of evenly spread points."""
+
+    file: SourceFile | None = None
+    """The file of points, where they were listed in one."""
+
+    confirmed: bool | None = None
+    """Whether only those stayed that MuJoCo confirms; None where it is not known."""
+
+    limited: bool | None = None
+    """Whether only those stayed that limits allow, or distances or fingers were limited; None where not known."""
+
+    limits: SourceFile | None = None
+    """The file of these limits, where they came from one."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -53,8 +67,18 @@ class Candidates:
         return len(self.part)
 
     def subset(self, indices: np.ndarray) -> "Candidates":
-        """The candidates at `indices`, shape (m,), in that order."""
-        return replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        """The candidates at `indices`, shape (m,), in that order; why these is then the caller's own business."""
+        return self.kept(indices, limited=None)
+
+    def kept(self, indices: np.ndarray, **how: Any) -> "Candidates":
+        """The candidates at `indices`, shape (m,), which anyone can find again who knows how the choice says.
+
+        Args:
+            indices: Those that stay, in their order.
+            how: Fields of `CandidateChoice` that say why.
+        """
+        left = replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        return left.chosen(**how)
 
     def least_friction(self, error: float) -> "Candidates":
         """The candidates with the smallest coefficient of an uncertain friction, mu (1 - error).
@@ -73,8 +97,15 @@ class Candidates:
                 f"the friction error is {error}; it is a share, 0 or more and below 1, for example 0.1"
             )
         contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error))
-        choice = None if self.choice is None else replace(self.choice, friction_error=error)
-        return replace(self, contacts=contacts, choice=choice)
+        return replace(self, contacts=contacts).chosen(friction_error=error)
+
+    def chosen(self, **how: Any) -> "Candidates":
+        """The same candidates, with more known of how they were chosen.
+
+        Args:
+            how: Fields of `CandidateChoice`.
+        """
+        return self if self.choice is None else replace(self, choice=replace(self.choice, **how))
 
 
 def candidates_at(

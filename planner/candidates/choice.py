@@ -15,6 +15,7 @@ from planner.objects.graspable import Graspable
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
 from planner.plausibility import friction_doubts, grid_doubts
+from planner.source_file import source_file
 
 logger = logging.getLogger(__name__)
 
@@ -53,7 +54,11 @@ def make_candidates(
     """
     count = _integer(choice)
     _check_fingertip(rigid_object, fingertip, spread=count is not None or choice.startswith(GRID))
-    asked = CandidateChoice(candidates=choice, friction=friction, fingertip=fingertip, seed=seed)
+    asked = CandidateChoice(
+        candidates=choice, friction=friction, fingertip=fingertip, seed=seed, confirmed=False, limited=False
+    )
+    if not repeatable(choice):
+        asked = replace(asked, file=source_file(_existing(choice)))
     if isinstance(rigid_object, PlanarObject):
         made = _planar_candidates(rigid_object, choice, count, friction)
     else:
@@ -62,6 +67,11 @@ def make_candidates(
     for doubt in [*gridded, *friction_doubts(made.contacts.friction)]:
         logger.warning("%s", doubt)
     return replace(made, choice=asked)
+
+
+def repeatable(choice: str) -> bool:
+    """Whether a choice names the same candidates of an object for ever, without a file."""
+    return _integer(choice) is not None or choice.startswith(GRID) or choice == CASE3
 
 
 def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, count: int | None) -> Candidates:

@@ -63,7 +63,7 @@ def confirmed_candidates(rigid_object: RigidObject, candidates: Candidates) -> C
             "grasp-inspect shows the object as MuJoCo collides it"
         )
     return Confirmed(
-        candidates=candidates.subset(kept),
+        candidates=candidates.kept(kept, confirmed=True),
         off_surface=int(off.sum()),
         turned=int(turned.sum()),
         crowded=int(crowded.sum()),

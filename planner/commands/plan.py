@@ -182,8 +182,12 @@ def _within_limits(
     from planner.limits.limits import Limits
     from planner.limits.limits_file import read_limits
     from planner.limits.restricted import restricted
+    from planner.source_file import source_file
 
-    limits = read_limits(options.limits, rigid_object) if options.limits else Limits()
+    limits = Limits()
+    if options.limits:
+        limits = read_limits(options.limits, rigid_object)
+        candidates = candidates.chosen(limits=source_file(options.limits))
     allowed = restricted(rigid_object, candidates, limits)
     report.restricted(allowed)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
