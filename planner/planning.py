@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib.metadata import version
 from math import isfinite
+from time import perf_counter
 
 import numpy as np
 
@@ -110,8 +111,10 @@ def plan_within(
         spacing=limits.spacing,
         span=limits.span,
     )
+    enough = perf_counter() + search.time_limit
     result = search.run(problem, observe, stop)
-    result = replace(result, directions=needed_directions(result))
+    directions = needed_directions(result, lambda: stop() or perf_counter() >= enough)
+    result = replace(result, directions=directions)
     found = result.grasps or (None,)
     return tuple(_grasp(rigid_object, task, kinds, search, result, evaluation) for evaluation in found)
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.interruption import Interruption, interruption
 from planner.commands.object_options import ObjectOptions
-from planner.commands.terminal import ExitCode, Interruption, as_typed, parse, run, write_json
+from planner.commands.terminal import ExitCode, as_typed, parse, run, write_json
 
 if TYPE_CHECKING:
     from planner.candidates.candidates import Candidates
@@ -80,7 +81,8 @@ class Options(ObjectOptions):
     """Least distance in metres of some contact of each grasp to all contacts of every grasp before it."""
 
     time_limit: float = inf
-    """Seconds after which to stop with the best grasp and the gap it has."""
+    """Seconds for everything, reading and writing too, after which to stop with the best grasp and the gap it has. The
+    clock starts when the program is loaded, which takes a few seconds itself."""
 
     seed: int = 0
     """Seed of the even candidates and of the search's starts."""
@@ -108,9 +110,10 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     out = options.out or Path(options.object.stem + SUFFIX)
     require_writable(numbered(out, options.keep))  # of all names the longest
     require_writable(out)
-    report = Report(console)
-    with SearchLog(console, options.log_json) as log:
-        grasps = _plan(options, out.parent, report, log, console)
+    report, ending = Report(console), interruption()
+    with SearchLog(console, options.log_json, ending) as log:
+        grasps = _plan(options, out.parent, report, log, console, ending)
+        ending.keep()
         files = [numbered(out, number) for number in range(1, len(grasps) + 1)]
         for file, each in zip(files, grasps, strict=True):
             write_grasp(file, replace(each, command=command))
@@ -125,7 +128,9 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT
 
 
-def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console) -> "tuple[Grasp, ...]":
+def _plan(
+    options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console, ending: Interruption
+) -> "tuple[Grasp, ...]":
     """Read the object, choose the candidates and search."""
     from planner.candidates.choice import make_candidates
     from planner.candidates.confirmed import confirmed_candidates
@@ -144,6 +149,7 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         apart=options.apart,
         seed=options.seed,
     )
+    ending.start_clock(options.time_limit)
     source = _decomposed(options, folder, report, console) if options.decompose else options.source
     console.show(f"reading {source.file}")
     rigid_object = read_object_file(source)
@@ -161,7 +167,8 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         warn_of_difference(rigid_object, visual_difference(rigid_object))
     limits, kinds = _within_limits(options, rigid_object, candidates, report)
     log.header()
-    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(Interruption()))
+    search = replace(search, time_limit=ending.left)
+    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(ending.asked))
 
 
 def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> "ObjectSource":

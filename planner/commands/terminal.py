@@ -14,6 +14,8 @@ from typing import TypeVar
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.heartbeat import heartbeat
+from planner.commands.interruption import INTERRUPTED
 from planner.errors import RhograspError
 
 
@@ -33,14 +35,6 @@ class ExitCode(IntEnum):
     FAILED = 5
     """The verdict is fail."""
 
-
-STANDARD_ERROR = 2
-"""As a file descriptor."""
-
-STOPPING = "stopping; press Ctrl-C again to leave without a result"
-
-INTERRUPTED = 128 + signal.SIGINT
-"""What shells expect of a program that Ctrl-C has killed."""
 
 EXIT_CODES = (
     "exit codes: 0 done and proven, or verdict pass · 1 error in the input or environment · 2 usage · "
@@ -73,24 +67,6 @@ def as_typed(program: str) -> str:
     return shlex.join([program, *sys.argv[1:]])
 
 
-class Interruption:
-    """Turns the first Ctrl-C into a request to stop, so that work in progress is kept; the second one kills."""
-
-    def __init__(self) -> None:
-        self._requested = False
-        signal.signal(signal.SIGINT, self._request)
-
-    def __call__(self) -> bool:
-        """Whether the user has asked to stop."""
-        return self._requested
-
-    def _request(self, *_: object) -> None:
-        self._requested = True
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        below = "\n" if os.isatty(STANDARD_ERROR) else ""  # leaves the status line as it was
-        os.write(STANDARD_ERROR, f"{below}{STOPPING}\n".encode())  # print may be what this signal interrupts
-
-
 def run(command: Callable[[], ExitCode], console: Console | None = None) -> None:
     """Run a command and leave with its exit code; an expected error becomes one clear line.
 
@@ -100,7 +76,7 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
     """
     console = console or Console()
     code: int
-    with _heard_logs(console):
+    with _heard_logs(console), heartbeat(console):
         try:
             code = command()
         except RhograspError as error:

@@ -40,6 +40,9 @@ LOG_PAUSE = 0.1
 BATCH = 512
 """Rows split together."""
 
+LAST_WORK = 0.1
+"""Time for tightening the bounds of a search that was stopped [s]."""
+
 
 class BranchAndBound:
     """State of one certified search."""
@@ -94,16 +97,22 @@ class BranchAndBound:
 
     def halted(self) -> Status | None:
         """Why the search has to end before its proof is complete, if it has to."""
+        if self.incumbents.rho < np.inf and not (self.trace and self.trace[-1].incumbent < np.inf):
+            self.log()  # the first grasp is worth keeping, and whoever can stop the search has to know
         if self.stop():
             return Status.INTERRUPTED
-        return Status.TIME_LIMIT if time.perf_counter() - self.began > self.method.time_limit else None
+        return Status.TIME_LIMIT if time.perf_counter() - self.began >= self.method.time_limit else None
+
+    def ends(self) -> bool:
+        """The same as a plain question."""
+        return self.halted() is not None
 
     def search(self) -> Status:
         add_vertex_cuts(self.cuts)
         if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
             return self.search_pairs()
         self.start_incumbent()
-        if self.incumbents.best is None and self.impossible_at_once():
+        if self.incumbents.best is None and not self.ends() and self.impossible_at_once():
             return Status.INFEASIBLE
         self.log_if_due()
         while len(self.frontier):
@@ -127,15 +136,19 @@ class BranchAndBound:
             if status := self.halted():
                 return status
             self.evaluate(subset)
+        if status := self.halted():
+            return status
         self.frontier.pop(1)
         return self.proven_status()
 
     def proven_status(self) -> Status:
         """What the bounds of everything pruned amount to, once nothing is open."""
         if self.incumbents.best is None:
-            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else Status.UNRESOLVED
+            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else self.halted() or Status.UNRESOLVED
         gap = relative_gap(self.incumbents.rho, self.lower_bound())
-        return Status.OPTIMAL if gap <= max(self.method.gap, SOLVER_ACCURACY) else Status.UNRESOLVED
+        if gap <= max(self.method.gap, SOLVER_ACCURACY):
+            return Status.OPTIMAL
+        return self.halted() or Status.UNRESOLVED  # the last subset may have been left half evaluated
 
     def start_incumbent(self) -> None:
         """Local search from random subsets: first among few spread candidates, then among all."""
@@ -151,7 +164,7 @@ class BranchAndBound:
 
     def climb(self, subset: np.ndarray, among: np.ndarray | None = None) -> np.ndarray:
         """Local search from a subset, near it or among the given candidates; returns where it ended."""
-        return improve(self.evaluator, self.cuts, subset, self.incumbents, lambda: self.halted() is not None, among)
+        return improve(self.evaluator, self.cuts, subset, self.incumbents, self.ends, among)
 
     def impossible_at_once(self) -> bool:
         """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
@@ -195,7 +208,7 @@ class BranchAndBound:
     def evaluate(self, subset: np.ndarray) -> None:
         """Decide a single subset: pruned by a cut, or evaluated and offered to the incumbents."""
         if self.cuts.bound(subset)[0] > self.threshold and subset not in self.incumbents:
-            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level)
+            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level, self.ends)
             if wanted is not None:
                 self.incumbents.offer(wanted)
                 self.climb(subset)
@@ -234,14 +247,23 @@ class BranchAndBound:
         self.trace.append(line)
         self.observe(line)
 
+    def tighten(self, rows: np.ndarray, bounds: np.ndarray) -> None:
+        """Bound open rows by all cuts, the weakest first, for as long as whoever has stopped the search may wait."""
+        enough = time.perf_counter() + LAST_WORK
+        weakest_first = np.argsort(-bounds, kind="stable")
+        rows, bounds = rows[weakest_first], bounds[weakest_first]
+        for first in range(0, len(rows), BATCH):
+            some = slice(first, first + BATCH)
+            if time.perf_counter() < enough:
+                bounds[some] = self.bounds.bound(rows[some], bounds[some], self.threshold)
+        open_ = self.drop(bounds)
+        self.frontier.push(rows[open_], bounds[open_])
+
     def result(self, status: Status) -> SearchResult:
         """The end state, with the open rows bounded by all cuts."""
         if len(self.frontier):
             self.bounds.extend()
-            rows, bounds = self.frontier.pop(len(self.frontier))
-            bounds = self.bounds.bound(rows, bounds, self.threshold)
-            open_ = self.drop(bounds)
-            self.frontier.push(rows[open_], bounds[open_])
+            self.tighten(*self.frontier.pop(len(self.frontier)))
             self.bounds.useful.update(range(len(self.cuts)))  # any of them may bound what is still open
         self.bounds.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
         self.log()

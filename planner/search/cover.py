@@ -5,6 +5,7 @@ others, the one that prunes most rows is chosen, again and again; rows that no c
 """
 
 import time
+from collections.abc import Callable
 
 import numpy as np
 
@@ -20,14 +21,16 @@ SLACK = 2e-6
 """By how much, relatively, the float32 bounds of the walk may exceed those of the proof."""
 
 
-def needed_directions(result: SearchResult) -> np.ndarray:
+def needed_directions(result: SearchResult, stop: Callable[[], bool] = lambda: False) -> np.ndarray:
     """The directions of a result that already prove its lower bound; all of them where choosing takes too long.
 
     Args:
         result: Of a certified search.
+        stop: Ends the choice once true.
 
     Returns:
-        Shape (cuts, D). All are kept where the search is not finished, or needs more time again than it took.
+        Shape (cuts, D). All are kept where the search is not finished, where choosing is stopped, or needs more time
+        again than the search took.
     """
     problem = result.problem
     pairs_in_space = problem.fingers == 2 and problem.contacts.dimension == 3
@@ -37,13 +40,15 @@ def needed_directions(result: SearchResult) -> np.ndarray:
     tree, threshold = build_tree(problem), (1 + SLACK) / result.lower_bound
     spacing, everything, chosen = Spacing(problem, tree), CutTable(problem), CutTable(problem)
     for direction in result.directions:
+        if stop():
+            return result.directions
         everything.add(direction)
     all_bounds, bounds = NodeBounds(tree, everything), NodeBounds(tree, chosen)
     all_bounds.extend()
     frontier = Frontier(problem.fingers)
     frontier.push(tree.first_row[None], np.array([np.inf]))
     while len(frontier):
-        if time.perf_counter() > enough:
+        if time.perf_counter() > enough or stop():
             return result.directions
         rows, known = frontier.pop(BATCH)
         possible = spacing.possible(rows)

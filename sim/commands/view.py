@@ -10,6 +10,7 @@ from typing import Annotated
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.interruption import signals_as_exceptions
 from planner.commands.terminal import ExitCode, parse, run
 
 
@@ -62,6 +63,7 @@ def view_command(options: Options, console: Console) -> ExitCode:
 
     subjects = [read_subject(file, options.object) for file in options.files]
     server = serve(options.host, options.port)
+    signals_as_exceptions()  # Ctrl-C is how this command ends
     try:
         viewer = Viewer(server, subjects, trial=options.trial)
         viewer.refresh(0.0)  # so that the page has everything from the beginning
