@@ -27,7 +27,13 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: Validation
     down[:, 2] = -weights
     press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)
     lift = 0.5 * weights[:, None, None] * np.array([0, 0, 1.0])
-    trial = Trial(wrenches=down, caps=np.full(len(weights), 10.0), preloads=press, forces=press + lift)
+    trial = Trial(
+        wrenches=down,
+        caps=np.full(len(weights), 10.0),
+        preloads=press,
+        preload_wrenches=np.zeros_like(down),
+        forces=press + lift,
+    )
     return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
 
 
