@@ -104,15 +104,8 @@ def friction_control(
     """
     protocol, contacts = experiment.protocol, experiment.contacts
     cap = float(trial.caps.max()) / experiment.units.force
-    factor = protocol.friction_factor
-    while True:
-        friction = factor * contacts.friction
-        phi = predicted_caps(replace(contacts, friction=friction), reference_point, wrenches)
-        if (phi > (1 + protocol.ambiguity) * cap).any():
-            break
-        factor *= protocol.friction_factor
-        if factor < protocol.least_friction:
-            return _impossible("friction", "no friction is so low that theory says a wrench is lost")
+    factor, phi = _losing_friction(contacts, reference_point, wrenches, cap, protocol)
+    friction = factor * contacts.friction
     outcome = experiment.with_friction(friction).perform(trial, observe)
     return Control(
         name="friction",
@@ -125,6 +118,24 @@ def friction_control(
         expected=phi < outcome.caps,
         counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
     )
+
+
+def _losing_friction(
+    contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray, cap: float, protocol: ValidationProtocol
+) -> tuple[float, np.ndarray]:
+    """The part of the friction at which theory says that some wrench is lost, and every wrench's phi there.
+
+    Where none is so low, the first part that was tried: every wrench must then be held.
+    """
+    tried = []
+    factor = protocol.friction_factor
+    while factor >= protocol.least_friction:
+        slippery = replace(contacts, friction=factor * contacts.friction)
+        tried.append((factor, predicted_caps(slippery, reference_point, wrenches)))
+        if (tried[-1][1] > (1 + protocol.ambiguity) * cap).any():
+            return tried[-1]
+        factor *= protocol.friction_factor
+    return tried[0]
 
 
 def displacement_control(

@@ -133,7 +133,8 @@ class ValidationProtocol:
     exactly the predicted wrenches must slip."""
 
     least_friction: float = 0.05
-    """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp."""
+    """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp,
+    and every wrench must be held with the first part."""
 
     friction_margin: float = 0.98
     """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit."""
