@@ -1,22 +1,34 @@
 """Loads that only need support: no internal force fits the contacts' cones, and the grasp is true nevertheless."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts, grasp_maps
 from planner.friction_cone import components
+from planner.objects.mjcf import read_object
 from planner.objects.parts.sphere import Sphere
+from planner.objects.planar import read_planar
 from planner.objects.pose import Pose
+from planner.planning import plan
+from planner.search.certified import CertifiedSearch
+from planner.task import make_task
 from sim.adaptive import adaptive_trial
+from sim.commands.modes import MODES
+from sim.commands.validate import Options
+from sim.commands.validation_report import validation_lines
 from sim.prediction import on_friction_limit
 from sim.protocol import ACTIVE
 from sim.schedule import fractions
 from sim.similarity import similarity
+from sim.validation import validate
 from sim.verdict import Verdict
+from tests.commands import ASSETS
 from tests.sim.planned import Planned, box
 from tests.sim.test_feed_forward import grasp_and_wrench
 
@@ -128,3 +140,31 @@ def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(
         normal, tangential = components(forces[0], contacts.normals)
         assert (tangential <= contacts.friction * normal + 1e-5).all()
         assert (np.linalg.norm(forces[0], axis=1) <= trial.caps[0] * (1 + 1e-6)).all()
+
+
+def test_a_mug_that_is_poured_is_confirmed_and_the_verdict_explains_its_unit_of_slip() -> None:
+    mug = read_object(ASSETS / "mug" / "mug.xml")
+    task = make_task(str(ASSETS / "tasks" / "pour.toml"), mug)
+    grasp = plan(mug, task, make_candidates(mug, "100", 0.5, seed=0), 3, CertifiedSearch(gap=0.01))
+    validation = validate(mug, grasp)
+    assert validation.verdict, validation.reasons
+    assert any(line.startswith("R0 ") and "largest distance" in line for line in validation_lines(validation))
+    options = Options(file=Path("mug.grasp.json"), mode="dexgraspbench")
+    lines = MODES["dexgraspbench"][1](mug, grasp, options, lambda *_: None).lines
+    assert "this is not about rho" in lines[1]
+
+
+def test_a_square_on_its_corner_in_the_plane_is_confirmed(tmp_path: Path) -> None:
+    """Two fingers under the lower edges, 45 degrees off the weight: rho = W / (2 cos(45 deg - atan mu))."""
+    (tmp_path / "square.toml").write_text(
+        'format = "rhograsp.planar"\nname = "square"\nmass = 1.0\nfriction = 0.3\nthickness = 0.01\n'
+        "outline = [[0, -0.03], [0.03, 0], [0, 0.03], [-0.03, 0]]\n"
+    )
+    (tmp_path / "rest.csv").write_text("-0.015,-0.015\n0.015,-0.015\n")
+    (tmp_path / "rest.toml").write_text('[set]\nkind = "single"\nwrench = [0, -9.81, 0]\n')
+    square = read_planar(tmp_path / "square.toml")
+    task = make_task(str(tmp_path / "rest.toml"), square)
+    grasp = plan(square, task, make_candidates(square, str(tmp_path / "rest.csv"), 0.3, seed=0), 2)
+    assert grasp.rho == pytest.approx(WEIGHT / 2 / np.cos(np.pi / 4 - np.arctan(0.3)), rel=1e-6)
+    validation = validate(square, grasp)
+    assert validation.verdict, validation.reasons
