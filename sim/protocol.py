@@ -34,6 +34,13 @@ class ValidationProtocol:
     object_mass: float = 0.1
     """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
 
+    object_damping: float = 1.0
+    """Drag on the object's motion [N s/m], times reach^2 on its rotation: none at rest, so statics do not feel it.
+
+    An object on capped fingertips below it is a pendulum upside down; without drag it tips, without any slip, by up
+    to 2e-3 within the hold, with it by 1e-4. From 10 on slow slips are held back.
+    """
+
     # Contact
     solref: tuple[float, float] = (0.002, 1.0)
     """Time constant [s] and damping ratio of a contact: two time steps, critical; 0.02 s fails 55 falsely."""
@@ -83,7 +90,8 @@ class ValidationProtocol:
     """Damping of that spring, relative to critical."""
 
     preload: float = 0.5
-    """Largest force of the preload, relative to the cap."""
+    """Press of every finger along its normal before the load, and the largest internal force without one, relative
+    to the cap."""
 
     # Schedule
     preload_time: float = 0.05
@@ -123,7 +131,15 @@ class ValidationProtocol:
 
     # Controls: what must happen if the experiment is to be believed
     friction_factor: float = 0.9
-    """With the planned friction multiplied by this, exactly the predicted wrenches must slip."""
+    """With the planned friction multiplied by this, as often as it takes until theory says that some wrench is lost,
+    exactly the predicted wrenches must slip."""
+
+    least_friction: float = 0.05
+    """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp,
+    and every wrench must be held with the first part."""
+
+    friction_margin: float = 0.98
+    """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit."""
 
     ambiguity: float = 0.01
     """Wrenches whose predicted cap is within this part of the simulated one are too near to call."""
@@ -145,8 +161,8 @@ class ValidationProtocol:
         return self.preload_time + self.ramp_time + self.hold_time
 
 
-ACTIVE = ValidationProtocol(name="rhograsp.active/1")
+ACTIVE = ValidationProtocol(name="rhograsp.active/2")
 """Finger forces adapt to each wrench, which is what rho means."""
 
-STRICT = replace(ACTIVE, name="rhograsp.active-strict/1", hold_factor=1.005, control_factor=0.995)
+STRICT = replace(ACTIVE, name="rhograsp.active-strict/2", hold_factor=1.005, control_factor=0.995)
 """The same with a four times narrower band around rho."""

@@ -89,6 +89,8 @@ def build_scene(
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
         raise SimulationError(f"MuJoCo cannot compile the validation scene: {error}") from error
+    lengths = np.where(np.arange(joints.velocities) < joints.translations, 1.0, protocol.reach)
+    model.dof_damping[: joints.velocities] = protocol.object_damping * lengths**2
     return Scene(
         model=model,
         contacts=touching,

@@ -17,7 +17,9 @@ class Options:
 
     The verdict is pass when every wrench is held with the finger force capped at 1.02 rho, fail when one is not. It is
     "not trustworthy" when a control did not behave: the critical wrench must slip at 0.98 rho, less friction and
-    another contact must change the outcome as predicted, and nothing may creep without load.
+    another contact must change the outcome as predicted, and nothing may creep without load (under half of the critical
+    wrench, where the fingers only support and cannot squeeze). It is "not trustworthy" too when a wrench that slipped
+    lies on the friction limit, where no cap gives a margin.
 
     A grasp that does not belong to its object is refused before anything is simulated: mass, task and candidates are
     made again from the object as grasp-verify does, and compared; what of that cannot be checked is said. Whether the
