@@ -118,6 +118,17 @@ class Certificate:
         return prod(comb(kind.candidates, kind.fingers) for kind in self.kinds)
 
 
+@dataclass(frozen=True, kw_only=True)
+class ProofCheck:
+    """How much of the proof the independent code had checked when the grasp was planned."""
+
+    share: float
+    """Of the subsets, 0 to 1: less than 1 where checking all would have taken too long."""
+
+    seconds: float
+    """For which it was checked [s]."""
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Grasp:
     """The best grasp found, its forces, its proven bound and where it came from."""
@@ -165,6 +176,9 @@ class Grasp:
 
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
+
+    proof_check: ProofCheck | None = None
+    """What was checked of the certificate; None where it is not known, or no bound is claimed."""
 
     center_of_mass: np.ndarray | None = None
     """Of the object, shape (d,) [m]; None where it is not recorded."""

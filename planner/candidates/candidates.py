@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from planner.contacts import Contacts
+from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
@@ -121,13 +121,13 @@ def candidates_at(
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
 
     Raises:
-        CandidateError: If a friction coefficient is not positive and finite.
+        CandidateError: If a friction coefficient is out of range.
     """
     own = np.array([each.friction for each in rigid_object.parts])
     mu = own[part] if friction is None else np.full(len(part), float(friction))
-    bad = np.flatnonzero(~(np.isfinite(mu) & (mu > 0)))
+    bad = np.flatnonzero(~possible_friction(mu))
     if len(bad):
         source = "given" if friction is not None else f"of geom '{rigid_object.parts[part[bad[0]]].geom}'"
-        raise CandidateError(f"the friction {source} is {mu[bad[0]]}; it must be positive and finite, set --friction")
+        raise CandidateError(f"the friction {source} is {mu[bad[0]]:g}; it must be {ALLOWED_FRICTION}, set --friction")
     feet, normals = project(rigid_object, points, part, facet)
     return Candidates(contacts=Contacts(points=feet, normals=normals, friction=mu), part=part, facet=facet)

@@ -120,7 +120,7 @@ def plan_command(options: Options, console: Console, command: str | None = None)
         grasp = grasps[0]
         log.end(grasp.status)
     report.grasp(grasp, out)
-    report.others(grasps[1:], files[1:])
+    report.others(grasps[1:], files[1:], options.apart)
     if options.json:
         write_json(console, plan_summary(files))
     if grasp.status is Status.OPTIMAL:

@@ -106,10 +106,12 @@ class Report:
             self._contacts(grasp)
         self._say(f"wrote       {out}")
 
-    def others(self, grasps: Sequence[Grasp], files: Sequence[Path]) -> None:
-        """The grasps after the best."""
+    def others(self, grasps: Sequence[Grasp], files: Sequence[Path], apart: float) -> None:
+        """The grasps after the best, and what is proven of them."""
         for number, (grasp, file) in enumerate(zip(grasps, files, strict=True), start=2):
-            self._say(f"grasp {number:<5d} rho {grasp.rho:.6g} N (gap {grasp.gap:.3%}), {file}")
+            self._say(f"grasp {number:<5d} rho {grasp.rho:.6g} N ({grasp.gap:.3%} above the bound), {file}")
+        if grasps:
+            self._say(f"their proof {_proof_of_others(grasps[0], apart)}")
 
     def _contacts(self, grasp: Grasp) -> None:
         strengths = grasp.contacts.strengths
@@ -119,6 +121,7 @@ class Report:
             f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
             f"({grasp.search.subsets:,} subsets) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
+        self._checked(grasp)
         grip = grasp.grip
         self._say(f"grip        {grip:.6g} N: the largest normal force of a finger (what gripper catalogues state)")
         contacts = zip(grasp.contacts.points, grasp.geoms, strengths, strict=True)
@@ -132,13 +135,42 @@ class Report:
             f"infeasible  proven: no {grasp.search.fingers} of the {grasp.search.candidates} candidates resist "
             f"the task with less than {grasp.lower_bound:.3g} N per finger"
         )
+        self._checked(grasp)
         for reason in reasons(grasp):
             self._say(f"because     {reason}")
         for remedy in remedies(grasp):
             self._say(f"may help    {remedy}")
 
+    def _checked(self, grasp: Grasp) -> None:
+        """How much of the proof was checked at once."""
+        check = grasp.proof_check
+        if check is not None:
+            rest = "" if check.share == 1 else "; grasp-verify checks all"
+            share = "all subsets" if check.share == 1 else f"{_percent(check.share)} of the subsets"
+            self._say(f"checked     {share}, by the code of grasp-verify, in {check.seconds:.2g} s{rest}")
+
     def _say(self, text: str = "") -> None:
         self._console.say(text)
+
+
+def _percent(share: float) -> str:
+    """A share below one, never rounded up to all of it."""
+    return f"{min(100 * share, 99.9):.3g} %"
+
+
+def _proof_of_others(grasp: Grasp, apart: float) -> str:
+    """What is known of the grasps after the best, by whom."""
+    bound = f"the files prove that no choice at all needs less than {grasp.lower_bound:.6g} N"
+    within = f"within the gap of {grasp.search.gap:.3g}"
+    if apart > 0:
+        found = (
+            f"that each is the best of those {1000 * apart:g} mm from the grasps before it, {within}, the search found"
+        )
+    else:
+        found = f"that none better is left out, {within}, the search found"
+    if grasp.search.trace and grasp.search.trace[-1].open:
+        found = "others may be left out, the search was stopped"
+    return f"{bound}; {found}"
 
 
 def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
