@@ -9,6 +9,7 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
+from planner.objects.coincident import covered_parts
 from planner.objects.exposure import reachable
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
@@ -35,8 +36,10 @@ def grid_candidates(
         CandidateError: If the spacing is not positive, gives too many points or none, or a part is curved.
     """
     check_spacing(rigid_object, spacing)
-    facets = []
+    facets, covered = [], covered_parts(rigid_object)
     for index, part in enumerate(rigid_object.parts):
+        if index in covered:
+            continue
         if not isinstance(part, Polyhedron):
             raise CandidateError(
                 f"a grid needs planar facets, but geom '{part.geom}' is a {type(part).__name__.lower()}; "

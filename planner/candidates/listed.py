@@ -7,9 +7,11 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
+from planner.objects.coincident import covered_parts
 from planner.objects.exposure import exposed
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
+from planner.objects.rigid_object import RigidObject
 
 ON_SURFACE = 1e-6
 """Largest distance of a listed point from the surface, relative to the object's size."""
@@ -77,7 +79,10 @@ def listed_candidates(
     distance = np.full(len(points), np.inf)
     hidden = np.full(len(points), np.inf)
     part, facet = np.zeros(len(points), dtype=int), np.zeros(len(points), dtype=int)
+    covered = covered_parts(rigid_object) if isinstance(rigid_object, RigidObject) else {}
     for index, each in enumerate(rigid_object.parts):
+        if index in covered:
+            continue
         part_here, facet_here = np.full(len(points), index), each.nearest_facet(points)
         feet, normals = project(rigid_object, points, part_here, facet_here)
         away = np.linalg.norm(points - feet, axis=1)
