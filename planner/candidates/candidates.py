@@ -7,6 +7,7 @@ import numpy as np
 
 from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
 from planner.errors import CandidateError
+from planner.objects.coincident import parts_through
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
 from planner.source_file import SourceFile
@@ -118,16 +119,23 @@ def candidates_at(
         points: Shape (n, d) [m].
         part: Part of each point, shape (n,).
         facet: Facet of each point, shape (n,).
-        friction: Coulomb coefficient of all contacts; None takes each geom's own.
+        friction: Coulomb coefficient of all contacts; None takes each geom's own, and where several share the surface
+            the smallest, because any of them may be what the finger touches.
 
     Raises:
         CandidateError: If a friction coefficient is out of range.
     """
+    feet, normals = project(rigid_object, points, part, facet)
     own = np.array([each.friction for each in rigid_object.parts])
-    mu = own[part] if friction is None else np.full(len(part), float(friction))
+    if friction is None:
+        through = parts_through(rigid_object, feet)
+        through[np.arange(len(part)), part] = True
+        touched = np.where(through, own, np.inf).argmin(axis=1)
+    else:
+        touched, own = part, np.full(len(own), float(friction))
+    mu = own[touched]
     bad = np.flatnonzero(~possible_friction(mu))
     if len(bad):
-        source = "given" if friction is not None else f"of geom '{rigid_object.parts[part[bad[0]]].geom}'"
+        source = "given" if friction is not None else f"of geom '{rigid_object.parts[touched[bad[0]]].geom}'"
         raise CandidateError(f"the friction {source} is {mu[bad[0]]:g}; it must be {ALLOWED_FRICTION}, set --friction")
-    feet, normals = project(rigid_object, points, part, facet)
     return Candidates(contacts=Contacts(points=feet, normals=normals, friction=mu), part=part, facet=facet)

@@ -9,6 +9,7 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
+from planner.objects.coincident import finger_parts
 from planner.objects.exposure import reachable
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
@@ -36,9 +37,8 @@ def grid_candidates(
     """
     check_spacing(rigid_object, spacing)
     facets = []
-    for index, part in enumerate(rigid_object.parts):
-        if index in rigid_object.untouchable:
-            continue
+    for index in finger_parts(rigid_object):
+        part = rigid_object.parts[index]
         if not isinstance(part, Polyhedron):
             raise CandidateError(
                 f"a grid needs planar facets, but geom '{part.geom}' is a {type(part).__name__.lower()}; "

@@ -11,6 +11,7 @@ from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
 from planner.grasp_file import read_grasp
+from planner.objects.coincident import finger_parts
 from planner.objects.exposure import exposed
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
@@ -158,7 +159,7 @@ def _nearby_facets(
     if stated is not None:
         along = [step * np.stack([-stated[:, 1], stated[:, 0]], axis=1)] if points.shape[1] == 2 else []
         shifts += [-step * stated, *(sign * side - step * stated for side in along for sign in (-1, 1))]
-    for index in np.flatnonzero(rigid_object.touchable).tolist():
+    for index in finger_parts(rigid_object):
         for shift in shifts:
             yield index, rigid_object.parts[index].nearest_facet(points + shift)
 

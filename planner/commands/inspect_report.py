@@ -1,6 +1,6 @@
 """What `grasp-inspect` says."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -9,6 +9,7 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.exports.mjcf import PRIMITIVES
 from planner.millimetres import in_mm, point_in_mm
+from planner.objects.coincident import ON_SURFACE, covered_parts
 from planner.objects.compiled import compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
@@ -25,6 +26,9 @@ WORLD = 0
 
 SAME_AXES = 1e-6
 """Angle below which a body is not turned [rad]."""
+
+MOST_PAIRS = 5
+"""Pairs of parts with common faces that are named."""
 
 
 def bodies(source: ObjectSource) -> Iterator[str]:
@@ -63,6 +67,7 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     for number, part in enumerate(rigid_object.parts):
         apart = "; not for fingers (--body)" if number in rigid_object.untouchable else ""
         yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}{apart}"
+    yield from _merged(rigid_object)
     difference = visual_difference(rigid_object)
     yield f"visual      {difference or 'no mesh to compare with what collides'}"
     warn_of_difference(rigid_object, difference)
@@ -90,6 +95,7 @@ def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | 
             f"surface     {1e4 * survey.outer:.4g} cm2 outside, of {1e4 * survey.whole:.4g} cm2 on all parts; "
             f"{1e4 * survey.reachable:.4g} cm2 leave room for a fingertip"
         )
+        yield from _flush(seen, survey.shared)
         yield (
             f"unreachable {survey.unreachable_samples} of {survey.samples} random points on the parts: inside or too "
             "near other parts"
@@ -102,6 +108,35 @@ def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | 
             f"and {np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
             f"{confirmed.turned} have another normal, {confirmed.crowded} touch another part"
         )
+
+
+def _merged(rigid_object: RigidObject) -> Iterator[str]:
+    """Geoms that add nothing to the union."""
+    parts, size = rigid_object.parts, rigid_object.size
+    for part, other in covered_parts(rigid_object).items():
+        pair = f"{parts[min(part, other)].geom} and {parts[max(part, other)].geom}"
+        if np.abs(parts[part].bounds() - parts[other].bounds()).max() <= ON_SURFACE * size:
+            yield f"merged      geoms {pair} coincide: planned on as one{_slipperier(parts[part], parts[other])}"
+        else:
+            yield f"merged      geom {parts[part].geom} lies inside {parts[other].geom}: planned on as one"
+
+
+def _flush(rigid_object: RigidObject, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
+    """Geoms that share faces of the outside."""
+    for first, second in ((rigid_object.parts[one], rigid_object.parts[two]) for one, two in pairs[:MOST_PAIRS]):
+        yield (
+            f"merged      faces of {first.geom} and {second.geom} coincide: planned on as one surface"
+            f"{_slipperier(first, second)}"
+        )
+    if len(pairs) > MOST_PAIRS:
+        yield f"merged      and faces of {len(pairs) - MOST_PAIRS} more pairs"
+
+
+def _slipperier(first: ConvexPart, second: ConvexPart) -> str:
+    """Whose friction counts where two parts share a surface."""
+    if first.friction == second.friction:
+        return ""
+    return f", with the smaller friction, {min(first.friction, second.friction):g}"
 
 
 def _shape(part: ConvexPart) -> str:
