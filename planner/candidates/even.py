@@ -13,7 +13,7 @@ from planner.errors import CandidateError
 from planner.objects.exposure import reachable
 from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
-from planner.objects.sampling import random_points, finger_surface
+from planner.objects.sampling import finger_surface, random_points
 
 MOST_CANDIDATES = 1_000_000
 
