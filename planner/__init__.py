@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from planner.grasp_file import read_grasp, write_grasp
     from planner.limits.limits_file import read_limits
     from planner.objects.object_file import read_object_file as read_object
+    from planner.objects.object_source import ObjectSource
     from planner.planning import plan, plan_several
     from planner.search.certified import CertifiedSearch
     from planner.task import Task, make_task
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 __all__ = [
     "CertifiedSearch",
     "Grasp",
+    "ObjectSource",
     "Task",
     "make_candidates",
     "make_task",
@@ -41,6 +43,7 @@ __all__ = [
 _HOMES = {
     "CertifiedSearch": "planner.search.certified:CertifiedSearch",
     "Grasp": "planner.grasp:Grasp",
+    "ObjectSource": "planner.objects.object_source:ObjectSource",
     "Task": "planner.task:Task",
     "make_candidates": "planner.candidates.choice:make_candidates",
     "make_task": "planner.task:make_task",

@@ -25,6 +25,12 @@ MOST_ENUMERATED = 100_000
 BATCH = 2048
 """Rows of groups that are split together."""
 
+CUTS_AT_ONCE = 64
+"""Cuts entered in the table before the check may be stopped."""
+
+ALMOST = 1 - 1e-9
+"""Share that is stated at most where subsets are left, however few."""
+
 ROUNDING = 1e-9
 """Relative slack for the rounding of a sum of a few numbers."""
 
@@ -36,13 +42,22 @@ ROUND_OFF = 1e-14
 class BoundCheck:
     """Outcome of checking a certificate."""
 
-    proven: bool
-
     method: str
     """`enumeration` or `groups`."""
 
+    share: float = 1.0
+    """Of the subsets, how many are settled, 0 to 1; less than 1 where the check was stopped."""
+
     counterexample: tuple[int, ...] = ()
     """A subset that no cut covers."""
+
+    weaker: float = 0.0
+    """What the cuts do prove for the counterexample: a bound on its rho [N]."""
+
+    @property
+    def proven(self) -> bool:
+        """Whether every subset is covered."""
+        return self.share == 1 and not self.counterexample
 
 
 def check_bound(
@@ -52,6 +67,7 @@ def check_bound(
     wrenches: np.ndarray,
     bound: float,
     observe: Callable[[int], None] = lambda _: None,
+    stop: Callable[[], bool] = lambda: False,
 ) -> BoundCheck:
     """Check that no subset of the candidates has rho below a bound.
 
@@ -62,6 +78,7 @@ def check_bound(
         wrenches: Vertices of W_R, shape (l, D) [N, N m].
         bound: Claimed lower bound on rho [N].
         observe: Called now and then with the number of subsets that are settled.
+        stop: Asked again and again; once true, the check ends with the share that is settled.
 
     Raises:
         CandidateError: If the kinds of fingers do not add up to `fingers`.
@@ -71,14 +88,27 @@ def check_bound(
     if sum(count for count, _ in counts) != fingers:
         raise CandidateError(f"the kinds of fingers {certificate.kinds} do not add up to {fingers} fingers")
     arms = candidates.points - reference_point
-    table = capacities(arms, candidates.normals, candidates.friction, certificate.cuts, wrenches)
+    table = np.empty((len(arms), len(certificate.cuts)))
+    for start in range(0, len(certificate.cuts), CUTS_AT_ONCE):
+        if stop():
+            return BoundCheck(method="groups", share=0.0)
+        some = slice(start, start + CUTS_AT_ONCE)
+        table[:, some] = capacities(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
     table *= certificate.strengths[:, None]
     most = (1 + ROUNDING) / bound
     if fingers == 2 and candidates.dimension == 3:
-        return _check_pairs(certificate, table, arms, wrenches, most)
+        return _check_pairs(certificate, table, arms, wrenches, most, stop)
     groups = group_candidates(candidates.points, candidates.normals, [count for _, count in counts], table)
-    check = _Check(groups=groups, spacing=certificate.spacing, span=certificate.span, most=most, observe=observe)
-    if certificate.subsets(fingers) <= MOST_ENUMERATED:
+    check = _Check(
+        groups=groups,
+        spacing=certificate.spacing,
+        span=certificate.span,
+        most=most,
+        subsets=certificate.subsets(fingers),
+        observe=observe,
+        stop=stop,
+    )
+    if check.subsets <= MOST_ENUMERATED:
         return check.enumerate(counts)
     return check.split([count for count, _ in counts])
 
@@ -126,7 +156,9 @@ class _Check:
     spacing: float
     span: float
     most: float
+    subsets: int
     observe: Callable[[int], None]
+    stop: Callable[[], bool]
 
     def enumerate(self, counts: list[tuple[int, int]]) -> BoundCheck:
         """All subsets, one by one; `counts` are the fingers and candidates of each kind."""
@@ -134,18 +166,22 @@ class _Check:
         single = np.flatnonzero(self.groups.size == 1)
         group_of = single[np.argsort(self.groups.first[single])]
         while batch := list(islice(subsets, BATCH)):
+            if self.stop():
+                return self.stopped("enumeration", settled)
             open_ = self.open(group_of[np.array(batch)])
             if len(open_):
                 return self.refuted("enumeration", open_[0])
             settled += len(batch)
             self.observe(settled)
-        return BoundCheck(proven=True, method="enumeration")
+        return BoundCheck(method="enumeration")
 
     def split(self, fingers: list[int]) -> BoundCheck:
         """Rows of groups, depth first; `fingers` is how many there are of each kind."""
         settled = 0.0
         rows = np.repeat(np.arange(len(fingers)), fingers)[None]
         while len(rows):
+            if self.stop():
+                return self.stopped("groups", settled)
             rows, children = rows[:-BATCH], self.groups.split(rows[-BATCH:])
             open_ = self.open(children)
             settled += self.groups.subsets(children).sum() - self.groups.subsets(open_).sum()
@@ -153,7 +189,7 @@ class _Check:
             if len(open_) and (self.groups.size[open_] == 1).all(axis=1).any():
                 return self.refuted("groups", open_[(self.groups.size[open_] == 1).all(axis=1).argmax()])
             rows = np.concatenate([rows, open_])
-        return BoundCheck(proven=True, method="groups")
+        return BoundCheck(method="groups")
 
     def open(self, rows: np.ndarray) -> np.ndarray:
         """The rows that keep their distances and are covered by no cut, the worst covered last."""
@@ -164,7 +200,12 @@ class _Check:
     def refuted(self, method: str, row: np.ndarray) -> BoundCheck:
         """The verdict on a row of single candidates that is open."""
         subset = tuple(sorted(self.groups.first[row].tolist()))
-        return BoundCheck(proven=False, method=method, counterexample=subset)
+        weaker = 1 / float(self.groups.least_sums(row[None])[0])
+        return BoundCheck(method=method, counterexample=subset, weaker=weaker)
+
+    def stopped(self, method: str, settled: float) -> BoundCheck:
+        """No verdict on the subsets that are left, of which there is one at least."""
+        return BoundCheck(method=method, share=min(settled / self.subsets, ALMOST))
 
 
 def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
@@ -177,21 +218,30 @@ def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
 
 
 def _check_pairs(
-    certificate: Certificate, table: np.ndarray, arms: np.ndarray, wrenches: np.ndarray, most: float
+    certificate: Certificate,
+    table: np.ndarray,
+    arms: np.ndarray,
+    wrenches: np.ndarray,
+    most: float,
+    stop: Callable[[], bool],
 ) -> BoundCheck:
     """All pairs of contacts in space: covered by a cut, or by the moment W_R asks about their line."""
     points, kind, strengths = certificate.candidates.points, certificate.kind, certificate.strengths
     alike = len(certificate.kinds) < 2  # else there is one finger of each kind
     for first in range(len(arms) - 1):
+        if stop():
+            left = (len(arms) - first) * (len(arms) - first - 1)
+            return BoundCheck(method="enumeration", share=1 - left / (len(arms) * (len(arms) - 1)))
         distances = np.linalg.norm(points - points[first], axis=1)
         possible = (distances >= certificate.spacing) & (distances <= certificate.span)
         possible &= alike | (kind != kind[first])
         others = first + 1 + np.flatnonzero(possible[first + 1 :])
         others = others[_turning(arms[first], arms[others], strengths[first], strengths[others], wrenches) > most]
-        open_ = others[(table[first] + table[others]).min(axis=1, initial=np.inf) > most]
-        if len(open_):
-            return BoundCheck(proven=False, method="enumeration", counterexample=(first, int(open_[0])))
-    return BoundCheck(proven=True, method="enumeration")
+        least = (table[first] + table[others]).min(axis=1, initial=np.inf)
+        if (least > most).any():
+            pair = (first, int(others[least.argmax()]))
+            return BoundCheck(method="enumeration", counterexample=pair, weaker=1 / float(least.max()))
+    return BoundCheck(method="enumeration")
 
 
 def _turning(

@@ -13,6 +13,10 @@ class ObjectError(RhograspError):
     """The MJCF object cannot be read as one rigid body with a collision surface."""
 
 
+class MasslessError(ObjectError):
+    """Something in the object's file moves and has no mass, which MuJoCo does not compile."""
+
+
 class CandidateError(RhograspError):
     """The candidate contact points cannot be made, or are not on the surface."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts
 from planner.errors import CandidateError
-from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
 from planner.search.result import Status, relative_gap
 from planner.task import Task
@@ -118,12 +118,23 @@ class Certificate:
         return prod(comb(kind.candidates, kind.fingers) for kind in self.kinds)
 
 
+@dataclass(frozen=True, kw_only=True)
+class ProofCheck:
+    """How much of the proof the independent code had checked when the grasp was planned."""
+
+    share: float
+    """Of the subsets, 0 to 1: less than 1 where checking all would have taken too long."""
+
+    seconds: float
+    """For which it was checked [s]."""
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Grasp:
     """The best grasp found, its forces, its proven bound and where it came from."""
 
-    file: Path
-    """The file of the object: MJCF, or a planar outline."""
+    source: ObjectSource
+    """The file of the object, MJCF or a planar outline, and how it is read."""
 
     sha256: str
     """Digest of the object's files."""
@@ -166,14 +177,22 @@ class Grasp:
     packages: dict[str, str]
     """Versions of rhograsp and of the packages that made it."""
 
-    given: GivenMass = NOTHING_GIVEN
-    """Mass properties that the user gave in place of those of the object's file."""
+    proof_check: ProofCheck | None = None
+    """What was checked of the certificate; None where it is not known, or no bound is claimed."""
+
+    center_of_mass: np.ndarray | None = None
+    """Of the object, shape (d,) [m]; None where it is not recorded."""
 
     candidate_choice: CandidateChoice | None = None
     """How the candidates were chosen, where it is known."""
 
     command: str | None = None
     """The command line that made the grasp, as a shell takes it; None where it was made from Python."""
+
+    @property
+    def file(self) -> Path:
+        """The file of the object: MJCF, or a planar outline."""
+        return self.source.file
 
     @property
     def found(self) -> bool:
@@ -187,6 +206,13 @@ class Grasp:
         Finger i must be able to push with s_i rho, s_i its strength: usually 1, and rho the largest fingertip force.
         """
         return float(self.phi.max(initial=-np.inf)) if self.found else np.inf
+
+    @property
+    def grip(self) -> float:
+        """The largest normal component of a contact force under any wrench of W_R [N]; infinite without a grasp."""
+        if not self.found:
+            return np.inf
+        return float(np.einsum("lmd,md->lm", self.forces, self.contacts.normals).max())
 
     @property
     def critical_wrench(self) -> int:

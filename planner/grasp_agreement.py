@@ -18,24 +18,33 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
 
     Args:
         document: The file.
-        grasp: What it says, with the arrays of its side file.
+        grasp: What it says, as arrays.
 
     Raises:
         GraspFileError: Where numbers that it states twice disagree, or are out of range.
     """
     size = wrench_dimension(grasp.certificate.candidates.dimension)
-    if grasp.task.wrenches.shape[1] != size or grasp.certificate.cuts.shape != (document.certificate.cuts, size):
-        raise GraspFileError(f"wrenches and cuts must have {size} numbers each")
+    if grasp.task.wrenches.shape[1] != size:
+        raise GraspFileError(f"wrenches must have {size} numbers each")
     if not np.isfinite(grasp.certificate.cuts).all():
         raise GraspFileError("a cut is not finite")
     if not 1 <= grasp.search.fingers <= min(MOST_FINGERS, len(grasp.certificate.candidates)):
         raise GraspFileError(f"{grasp.search.fingers} fingers for {len(grasp.certificate.candidates)} candidates")
+    if grasp.search.candidates != len(grasp.certificate.candidates):
+        raise GraspFileError(
+            f"{grasp.search.candidates} candidates are stated; the file holds {len(grasp.certificate.candidates)}"
+        )
     kinds = grasp.certificate.kinds
     if kinds and sum(kind.fingers for kind in kinds) != grasp.search.fingers:
         raise GraspFileError(f"the kinds of fingers do not add up to {grasp.search.fingers} fingers")
     if grasp.search.subsets != grasp.certificate.subsets(grasp.search.fingers):
         raise GraspFileError(f"{grasp.search.subsets} subsets are stated; the candidates have another number")
     _check_trace(grasp.search)
+    center = grasp.center_of_mass
+    if center is not None and center.shape != (grasp.certificate.candidates.dimension,):
+        raise GraspFileError(f"the centre of mass has {center.size} coordinates, the candidates another number")
+    if document.planner.version != document.planner.packages.get("rhograsp"):
+        raise GraspFileError(f"made by version {document.planner.version}, with another among the packages: edited?")
     if not grasp.found:
         if document.rho is not None or len(grasp.phi):
             raise GraspFileError("rho and phi are given without contacts")
@@ -49,7 +58,10 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
         grasp.candidates
     ):
         raise GraspFileError(f"contacts name candidates {grasp.candidates.tolist()}, repeated or out of range")
-    _agree("position", grasp.contacts.points, grasp.certificate.candidates.points[grasp.candidates])
+    candidates = grasp.certificate.candidates
+    _agree("position", grasp.contacts.points, candidates.points[grasp.candidates])
+    _agree("normal", grasp.contacts.normals, candidates.normals[grasp.candidates])
+    _agree("friction", grasp.contacts.friction, candidates.friction[grasp.candidates])
     _agree("strength", grasp.contacts.strengths, grasp.certificate.strengths[grasp.candidates])
     _agree("phi", grasp.phi, (np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths).max(axis=1))
     _agree("rho", np.array(document.rho, dtype=float), grasp.phi.max())

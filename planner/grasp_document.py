@@ -7,20 +7,14 @@ import msgspec
 from planner.candidates.candidates import CandidateChoice
 from planner.grasp import SearchRecord
 from planner.search.result import Status
+from planner.source_file import SourceFile
 
 FORMAT = "rhograsp.grasp"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 Count = Annotated[int, msgspec.Meta(ge=0)]
 Vector = list[float]
-
-
-class Header(msgspec.Struct, frozen=True):
-    """What is read first, to tell a foreign or newer file from a broken one."""
-
-    format: str
-    format_version: int
 
 
 class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -31,16 +25,26 @@ class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
     sha256: str
     body: str
     mass: float
+    center_of_mass: Vector | None = None
+    """Body frame [m]; null in files of before it was kept."""
     given_mass: float | None = None
     """What the user gave in place of the file's mass [kg]."""
     given_center_of_mass: Vector | None = None
     """What the user gave in place of the file's centre of mass, body frame [m]."""
+    locked_joints: list[str] = []
+    """Joints between the object's bodies that are frozen, by name, or "all"; empty for none."""
+    keyframe: str | None = None
+    """Keyframe of the object's file at which they are frozen; null for its initial configuration qpos0."""
 
 
 class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
     """The required external force set."""
 
     name: str
+    preset: str | None = None
+    """The preset that it is on this object, where it was chosen by that name."""
+    file: SourceFile | None = None
+    """The task file that it was read from; with neither preset nor file, the wrenches are the caller's own."""
     reference_point: Vector
     """Point that moments are about, body frame [m]."""
     wrenches: list[Vector]
@@ -68,18 +72,27 @@ class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
     strength: Positive
 
 
+class CandidatesRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """Where fingers might have gone: one row or number for each candidate."""
+
+    positions: list[Vector]
+    normals: list[Vector]
+    """Inward unit normals."""
+    friction: Vector
+
+
 class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """The side file with the arrays `positions, normals, friction` of all candidates and `cuts`.
+    """All candidates, and the cuts that prove the lower bound.
 
     The bound is about all subsets of candidates with the right number of fingers of each kind and whose distances keep
     spacing and span.
     """
 
-    file: str
-    sha256: str
-    cuts: Count
+    candidates: CandidatesRecord
+    cuts: list[Vector]
+    """Directions lambda, (force, moment) in body axes."""
     kinds: list[KindRecord] = []
-    """Kinds of fingers, whose candidates follow each other in the side file; left out where all fingers are alike."""
+    """Kinds of fingers, whose candidates follow each other; left out where all fingers are alike."""
     spacing: Positive | None = None
     """Least distance between two contacts [m]; left out where there is none."""
     span: Positive | None = None

@@ -1,53 +1,51 @@
-"""The grasp file: `NAME.grasp.json`, with its large arrays in `NAME.grasp.npz` beside it.
+"""The grasp file, `NAME.grasp.json`: the grasp, its forces, its bound, all candidates, and the cuts that prove it.
 
-The JSON holds the grasp, its forces and its bound; the side file holds all candidates and the cuts that prove
-the bound. Both are written completely or not at all. Reading checks structure and consistency, never trusts a
-size, and unpickles nothing; whether the numbers are true is the business of `planner.verification`.
+It is written completely or not at all. Reading checks structure and consistency and trusts no size; whether the
+numbers are true is the business of `planner.verification`.
 """
 
-import hashlib
-import io
 import os
 import re
-import zipfile
-from dataclasses import asdict
+from collections.abc import Callable
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from planner.atomic_write import write_atomically
-from planner.contacts import Contacts
-from planner.errors import GraspFileError, RhograspError
+from planner.bounded_read import read_bounded
+from planner.candidates.candidates import CandidateChoice
+from planner.contacts import Contacts, wrench_dimension
+from planner.errors import GraspFileError, OutputError, RhograspError
 from planner.grasp import Certificate, Grasp
 from planner.grasp_agreement import check_agreement
 from planner.grasp_document import (
     FORMAT,
     FORMAT_VERSION,
+    CandidatesRecord,
     CertificateRecord,
     ContactRecord,
     GraspDocument,
-    Header,
     KindRecord,
     ObjectRecord,
     PlannerRecord,
     TaskRecord,
 )
+from planner.grasp_side_file import WITH_SIDE_FILE, with_side_file
+from planner.json_document import MOST_BYTES, Header, decode_json
 from planner.objects.given_mass import GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.search.finger_kind import FingerKind
+from planner.source_file import SourceFile
 from planner.task import Task
 
 SUFFIX = ".grasp.json"
 
-MAX_JSON_BYTES = 256 * 2**20
-MAX_ARRAY_BYTES = 2**30
+NAME = "grasp file"
+
 ON_ONE_LINE = r'\[\n[^\[\]{}"]*\]|\{\n *"seconds"[^\[\]{}]*\}'
 """A vector, or a line of the search log; a line break is never part of a JSON string, so names are left alone."""
-
-
-def certificate_path(path: Path) -> Path:
-    """The side file of a grasp file."""
-    return path.with_suffix(".npz")
 
 
 def numbered(path: Path, number: int) -> Path:
@@ -59,64 +57,53 @@ def numbered(path: Path, number: int) -> Path:
 
 
 def write_grasp(path: Path | str, grasp: Grasp) -> None:
-    """Write a grasp and its side file, the side file first.
+    """Write a grasp.
 
     Args:
         path: Ends in `.json`; by convention in `.grasp.json`.
         grasp: What to write.
 
     Raises:
-        OutputError: When the folder cannot be written.
+        OutputError: When the folder cannot be written, or the file would be larger than what is read.
     """
-    path, arrays = Path(path), io.BytesIO()
-    candidates = grasp.certificate.candidates
-    np.savez_compressed(
-        arrays,
-        positions=candidates.points,
-        normals=candidates.normals,
-        friction=candidates.friction,
-        cuts=grasp.certificate.cuts,
-    )
-    document = _document(path, grasp, hashlib.sha256(arrays.getvalue()).hexdigest())
-    text = msgspec.json.format(msgspec.json.encode(document), indent=2).decode()
-    text = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text)
-    write_atomically(certificate_path(path), arrays.getvalue())
-    write_atomically(path, text.encode() + b"\n")
+    path = Path(path)
+    text = msgspec.json.format(msgspec.json.encode(_document(path, grasp)), indent=2).decode()
+    content = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text).encode() + b"\n"
+    if len(content) > MOST_BYTES:
+        raise OutputError(
+            f"cannot write {path}: with {len(grasp.certificate.candidates)} candidates it would be larger than "
+            f"{MOST_BYTES} bytes, the most that is read; plan on fewer candidates"
+        )
+    write_atomically(path, content)
 
 
 def read_grasp(path: Path | str) -> Grasp:
-    """Read a grasp file and its side file.
+    """Read a grasp file.
 
     Raises:
-        GraspFileError: When a file is missing, truncated, too large, of another format or a newer version, or when
-            its parts do not fit each other.
+        GraspFileError: When it is missing, truncated, too large, of another format or a newer version, or when its
+            parts do not fit each other.
     """
     path = Path(path)
     document = _decode(path)
-    arrays = _read_arrays(path.parent / Path(document.certificate.file).name, document.certificate.sha256)
     try:
-        grasp = _grasp(path, document, arrays)
+        grasp = _grasp(path, document)
         check_agreement(document, grasp)
-    except (RhograspError, ValueError) as error:
+    except (RhograspError, ValueError, OverflowError) as error:  # OverflowError: a whole number of twenty digits
         raise GraspFileError(f"{path} is not a consistent grasp file: {error}; plan it again") from error
     return grasp
 
 
-def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
-    contacts, center = grasp.contacts, grasp.given.center_of_mass
+def _document(path: Path, grasp: Grasp) -> GraspDocument:
+    contacts = grasp.contacts
     return GraspDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
-        object=ObjectRecord(
-            mjcf=_relative(grasp.file, path.parent),
-            sha256=grasp.sha256,
-            body=grasp.body,
-            mass=grasp.mass,
-            given_mass=grasp.given.mass,
-            given_center_of_mass=None if center is None else center.tolist(),
-        ),
+        object=_object_record(path, grasp),
         task=TaskRecord(
             name=grasp.task.name,
+            preset=grasp.task.preset,
+            file=_from_folder(grasp.task.file, path.parent),
             reference_point=grasp.task.reference_point.tolist(),
             wrenches=grasp.task.wrenches.tolist(),
         ),
@@ -139,17 +126,36 @@ def _document(path: Path, grasp: Grasp, arrays_sha256: str) -> GraspDocument:
         phi=grasp.phi.tolist(),
         forces=grasp.forces.tolist(),
         search=grasp.search,
-        certificate=_certificate_record(grasp.certificate, certificate_path(path).name, arrays_sha256),
+        certificate=_certificate_record(grasp.certificate),
         planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
-        candidate_choice=grasp.candidate_choice,
+        candidate_choice=_placed_choice(grasp.candidate_choice, lambda source: _from_folder(source, path.parent)),
     )
 
 
-def _certificate_record(certificate: Certificate, file: str, sha256: str) -> CertificateRecord:
+def _object_record(path: Path, grasp: Grasp) -> ObjectRecord:
+    source, center = grasp.source, grasp.source.given.center_of_mass
+    return ObjectRecord(
+        mjcf=_relative(source.file, path.parent),
+        sha256=grasp.sha256,
+        body=grasp.body,
+        mass=grasp.mass,
+        center_of_mass=None if grasp.center_of_mass is None else grasp.center_of_mass.tolist(),
+        given_mass=source.given.mass,
+        given_center_of_mass=None if center is None else center.tolist(),
+        locked_joints=list(source.locked_joints),
+        keyframe=source.keyframe,
+    )
+
+
+def _certificate_record(certificate: Certificate) -> CertificateRecord:
+    candidates = certificate.candidates
     return CertificateRecord(
-        file=file,
-        sha256=sha256,
-        cuts=len(certificate.cuts),
+        candidates=CandidatesRecord(
+            positions=candidates.points.tolist(),
+            normals=candidates.normals.tolist(),
+            friction=candidates.friction.tolist(),
+        ),
+        cuts=certificate.cuts.tolist(),
         kinds=[KindRecord(**asdict(kind)) for kind in certificate.kinds],
         spacing=certificate.spacing or None,
         span=_finite(certificate.span),
@@ -164,61 +170,58 @@ def _relative(file: Path, folder: Path) -> str:
         return file.resolve().as_posix()
 
 
+def _from_folder(source: SourceFile | None, folder: Path) -> SourceFile | None:
+    """A file as seen from `folder`."""
+    return None if source is None else replace(source, path=_relative(Path(source.path), folder))
+
+
+def _in_folder(source: SourceFile | None, folder: Path) -> SourceFile | None:
+    """A file seen from `folder`, as seen from the current folder."""
+    return None if source is None else replace(source, path=str(folder / source.path))
+
+
+def _placed_choice(
+    choice: CandidateChoice | None, place: Callable[[SourceFile | None], SourceFile | None]
+) -> CandidateChoice | None:
+    """A choice with its files as seen from elsewhere."""
+    return None if choice is None else replace(choice, file=place(choice.file), limits=place(choice.limits))
+
+
 def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
 def _decode(path: Path) -> GraspDocument:
-    try:
-        if path.stat().st_size > MAX_JSON_BYTES:
-            raise GraspFileError(f"{path} is larger than {MAX_JSON_BYTES} bytes: not a grasp file")
-        content = path.read_bytes()
-    except OSError as error:
-        raise GraspFileError(f"cannot read {path}: {error.strerror}") from error
-    try:
-        header = msgspec.json.decode(content, type=Header)
-        if header.format != FORMAT:
-            raise GraspFileError(f"{path} has format {header.format!r}; expected {FORMAT!r}")
-        if header.format_version != FORMAT_VERSION:
-            raise GraspFileError(
-                f"{path} has format version {header.format_version}; this program reads version {FORMAT_VERSION}; "
-                "install the rhograsp that wrote it"
-            )
-        return msgspec.json.decode(content, type=GraspDocument)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise GraspFileError(f"{path} is not a grasp file, or is truncated: {error}") from error
+    content = read_bounded(path, MOST_BYTES, NAME, GraspFileError)
+    header = decode_json(content, Header, path, NAME)
+    if header.format != FORMAT:
+        raise GraspFileError(f"{path} has format {header.format!r}; expected {FORMAT!r}")
+    if header.format_version == WITH_SIDE_FILE:
+        return with_side_file(path, content)
+    if header.format_version != FORMAT_VERSION:
+        raise GraspFileError(
+            f"{path} has format version {header.format_version}; this program reads {WITH_SIDE_FILE} to "
+            f"{FORMAT_VERSION}; install the rhograsp that wrote it"
+        )
+    return decode_json(content, GraspDocument, path, NAME)
 
 
-def _read_arrays(path: Path, sha256: str) -> dict[str, np.ndarray]:
-    """The arrays of the side file, once its digest and the sizes it declares are known to be right."""
-    try:
-        if path.stat().st_size > MAX_ARRAY_BYTES:
-            raise GraspFileError(f"{path} is larger than {MAX_ARRAY_BYTES} bytes: not a side file of a grasp")
-        content = path.read_bytes()
-    except OSError as error:
-        raise GraspFileError(f"cannot read the side file {path}: {error.strerror}; keep it beside the JSON") from error
-    if hashlib.sha256(content).hexdigest() != sha256:
-        raise GraspFileError(f"{path} is not the side file this grasp was written with; plan the grasp again")
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            if sum(entry.file_size for entry in archive.infolist()) > MAX_ARRAY_BYTES:
-                raise GraspFileError(f"{path} unpacks to more than {MAX_ARRAY_BYTES} bytes: not a side file of a grasp")
-        with np.load(io.BytesIO(content), allow_pickle=False) as arrays:
-            return {name: arrays[name] for name in ("positions", "normals", "friction", "cuts")}
-    except (ValueError, KeyError, OSError, zipfile.BadZipFile) as error:
-        raise GraspFileError(f"{path} is not a side file of a grasp: {error}") from error
-
-
-def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -> Grasp:
+def _grasp(path: Path, document: GraspDocument) -> Grasp:
     task, contacts = document.task, document.contacts
-    candidates = Contacts(points=arrays["positions"], normals=arrays["normals"], friction=arrays["friction"])
-    shape = (len(contacts), candidates.dimension)
+    certificate = _certificate(document.certificate)
+    shape = (len(contacts), certificate.candidates.dimension)
     return Grasp(
-        file=path.parent / document.object.mjcf,
+        source=_source(path, document.object),
         sha256=document.object.sha256,
         body=document.object.body,
         mass=document.object.mass,
-        task=Task(name=task.name, reference_point=np.array(task.reference_point), wrenches=np.array(task.wrenches)),
+        task=Task(
+            name=task.name,
+            reference_point=np.array(task.reference_point),
+            wrenches=np.array(task.wrenches),
+            preset=task.preset,
+            file=_in_folder(task.file, path.parent),
+        ),
         contacts=Contacts(
             points=np.array([contact.position for contact in contacts], dtype=float).reshape(shape),
             normals=np.array([contact.normal for contact in contacts], dtype=float).reshape(shape),
@@ -232,24 +235,38 @@ def _grasp(path: Path, document: GraspDocument, arrays: dict[str, np.ndarray]) -
         phi=np.array(document.phi, dtype=float),
         forces=np.array(document.forces, dtype=float).reshape(len(document.phi), *shape),
         search=document.search,
-        certificate=_certificate(document.certificate, candidates, arrays["cuts"]),
+        certificate=certificate,
         packages=document.planner.packages,
-        given=_given(document.object),
-        candidate_choice=document.candidate_choice,
+        center_of_mass=_point(document.object.center_of_mass),
+        candidate_choice=_placed_choice(document.candidate_choice, lambda source: _in_folder(source, path.parent)),
         command=document.planner.command,
     )
 
 
-def _certificate(record: CertificateRecord, candidates: Contacts, cuts: np.ndarray) -> Certificate:
+def _certificate(record: CertificateRecord) -> Certificate:
+    candidates = Contacts(
+        points=np.array(record.candidates.positions, dtype=float),
+        normals=np.array(record.candidates.normals, dtype=float),
+        friction=np.array(record.candidates.friction, dtype=float),
+    )
     return Certificate(
         candidates=candidates,
-        cuts=cuts,
+        cuts=np.array(record.cuts, dtype=float).reshape(len(record.cuts), wrench_dimension(candidates.dimension)),
         kinds=tuple(FingerKind(**msgspec.structs.asdict(kind)) for kind in record.kinds),
         spacing=record.spacing or 0.0,
         span=np.inf if record.span is None else record.span,
     )
 
 
-def _given(record: ObjectRecord) -> GivenMass:
-    center = record.given_center_of_mass
-    return GivenMass(mass=record.given_mass, center_of_mass=None if center is None else np.array(center))
+def _source(path: Path, record: ObjectRecord) -> ObjectSource:
+    return ObjectSource(
+        file=path.parent / record.mjcf,
+        body=record.body,
+        given=GivenMass(mass=record.given_mass, center_of_mass=_point(record.given_center_of_mass)),
+        locked_joints=tuple(record.locked_joints),
+        keyframe=record.keyframe,
+    )
+
+
+def _point(coordinates: list[float] | None) -> np.ndarray | None:
+    return None if coordinates is None else np.array(coordinates, dtype=float)

@@ -4,19 +4,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib.metadata import version
 from math import isfinite
+from time import perf_counter
 
 import numpy as np
 
 from planner.candidates.candidates import Candidates
-from planner.grasp import Certificate, Grasp, SearchRecord, TraceLine
+from planner.grasp import Grasp, ProofCheck, SearchRecord, TraceLine
 from planner.limits.kinds import Kinds, finger_kinds
 from planner.limits.limits import Limits
 from planner.limits.restricted import restricted
-from planner.objects.given_mass import NOTHING_GIVEN
 from planner.objects.graspable import Graspable
-from planner.objects.rigid_object import RigidObject
+from planner.proof_check import certificate_of, with_checked_proof
 from planner.search.certified import CertifiedSearch
-from planner.search.cover import needed_directions
 from planner.search.evaluation import Evaluation
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult, Status, relative_gap
@@ -53,7 +52,7 @@ def plan_several(
     stop: Callable[[], bool] = lambda: False,
     limits: Limits | None = None,
 ) -> tuple[Grasp, ...]:
-    """Choose the contacts that resist the task with the smallest fingertip force, and prove it.
+    """Choose the contacts that resist the task with the smallest fingertip force, prove it, and check the proof.
 
     With limits, contact k is that of finger k of the limits, and rho is the force level: finger k must be able to push
     with its strength times rho.
@@ -112,10 +111,11 @@ def plan_within(
         spacing=limits.spacing,
         span=limits.span,
     )
+    enough = perf_counter() + search.time_limit
     result = search.run(problem, observe, stop)
-    result = replace(result, directions=needed_directions(result))
+    result, check = with_checked_proof(result, lambda: stop() or perf_counter() >= enough)
     found = result.grasps or (None,)
-    return tuple(_grasp(rigid_object, task, kinds, search, result, evaluation) for evaluation in found)
+    return tuple(_grasp(rigid_object, task, kinds, search, result, check, evaluation) for evaluation in found)
 
 
 def _grasp(
@@ -124,6 +124,7 @@ def _grasp(
     kinds: Kinds,
     search: CertifiedSearch,
     result: SearchResult,
+    check: ProofCheck | None,
     found: Evaluation | None,
 ) -> Grasp:
     problem, end, candidates = result.problem, result.trace[-1], kinds.candidates
@@ -131,7 +132,7 @@ def _grasp(
     chosen = found.subset[order] if found else order
     contacts = problem.contacts.subset(chosen)
     return Grasp(
-        file=rigid_object.file,
+        source=rigid_object.source,
         sha256=rigid_object.sha256,
         body=rigid_object.body,
         mass=rigid_object.mass,
@@ -157,21 +158,10 @@ def _grasp(
             trace=recorded(result.trace),
         ),
         certificate=certificate_of(result),
+        proof_check=check,
         packages={name: version(name) for name in PACKAGES},
-        given=rigid_object.given if isinstance(rigid_object, RigidObject) else NOTHING_GIVEN,
+        center_of_mass=rigid_object.center_of_mass,
         candidate_choice=candidates.choice,
-    )
-
-
-def certificate_of(result: SearchResult) -> Certificate:
-    """What anyone needs to check the bound of a search."""
-    problem = result.problem
-    return Certificate(
-        candidates=problem.contacts,
-        cuts=result.directions,
-        kinds=problem.kinds,
-        spacing=problem.least_distance,
-        span=problem.span,
     )
 
 

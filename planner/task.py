@@ -3,17 +3,21 @@
 Chosen by the name of a preset or by a TOML file:
 
     name = "screwdriver"               # the file's name where left out
-    reference_point = [0, 0, 0.02]     # body frame [m]; the centre of mass where left out
+    frame = "body"                     # or "world", where the object's file places the body; body where left out
+    reference_point = [0, 0, 0.02]     # in that frame [m]; the centre of mass where left out
 
     [set]
     kind = "cylinder"                  # a name of KINDS or of PRESETS; the other keys are its fields
     force = 5.0
     moment = 0.1
+
+The set's axes are those of the frame. A planned task is always in the body frame B.
 """
 
+import logging
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import msgspec
 import numpy as np
@@ -21,12 +25,18 @@ import numpy as np
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.objects.graspable import Graspable
+from planner.objects.pose import Pose
+from planner.objects.rigid_object import RigidObject
+from planner.plausibility import gravity_doubts
+from planner.source_file import SourceFile, source_file
 from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
-from planner.wrench_sets.presets import PRESETS
+from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Preset
 from planner.wrench_sets.values import finite_vector
 from planner.wrench_sets.wrench_set import WrenchSet
+
+logger = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -44,7 +54,13 @@ class Task:
     """p_o, about which moments are taken, in the body frame, shape (d,) [m]."""
 
     wrenches: np.ndarray
-    """Vertices of W_R, shape (l, D) [N, N m]."""
+    """Vertices of W_R in the body frame, shape (l, D) [N, N m]."""
+
+    preset: str | None = None
+    """The preset that it is, where it was chosen by that name."""
+
+    file: SourceFile | None = None
+    """The task file that it was read from. With neither preset nor file, the wrenches are the caller's own."""
 
     def __post_init__(self) -> None:
         dimension = len(finite_vector("reference_point", self.reference_point.tolist(), (2, 3)))
@@ -64,12 +80,19 @@ class Task:
 
 PRESET_HINT = f"; the presets {', '.join(PRESETS)} need no file"
 
+SAMPLES = {
+    2: '; a whole task file can be: set = {kind = "single", wrench = [0, -5, 0]}  # N, N, N m',
+    3: '; a whole task file can be: set = {kind = "single", wrench = [0, 0, -5, 0, 0, 0]}  # N, N, N, N m, N m, N m',
+}
+"""What ends a complaint about a task file, in the plane and in space."""
+
 
 class TaskFile(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A task file, before its set is known."""
 
     set: dict[str, Any]
     name: str | None = None
+    frame: Literal["body", "world"] = "body"
     reference_point: tuple[float, ...] | None = None
 
 
@@ -85,16 +108,49 @@ def make_task(choice: str, object: Graspable) -> Task:
     """
     center = object.center_of_mass
     if choice in PRESETS:
-        preset = PRESETS[choice]().for_object(object, center)
-        return Task(name=choice, reference_point=center, wrenches=preset.vertices())
-    file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT)
+        preset = _preset(PRESETS[choice](), object, center)
+        return Task(name=choice, reference_point=center, wrenches=preset.vertices(), preset=choice)
+    sample = SAMPLES[len(center)]
+    file = read_toml(Path(choice), TaskFile, "task file", TaskError, PRESET_HINT + sample, sample)
     try:
+        pose = _stated_frame(file, object)
         stated = file.reference_point
-        point = center if stated is None else finite_vector("reference_point", stated, (len(center),))
-        wrenches = _wrench_set(file.set, object, point).vertices()
-        return Task(name=file.name or Path(choice).stem, reference_point=point, wrenches=wrenches)
+        point = center if stated is None else _point(pose, finite_vector("reference_point", stated, (len(center),)))
+        wrenches = _turned(pose, _wrench_set(file.set, object, point).vertices())
+        name = file.name or Path(choice).stem
+        return Task(name=name, reference_point=point, wrenches=wrenches, file=source_file(Path(choice)))
     except TaskError as error:
-        raise TaskError(f"task file {choice}: {error}") from error
+        raise TaskError(f"task file {choice}: {error}{sample}") from error
+
+
+def _preset(preset: Preset, object: Graspable, point: np.ndarray) -> WrenchSet:
+    """Its set for one object; those that take the weight say where the object's file has another gravity."""
+    if isinstance(object, RigidObject) and not isinstance(preset, Axes6):
+        for doubt in gravity_doubts(object.gravity, GRAVITY):
+            logger.warning("%s", doubt)
+    return preset.for_object(object, point)
+
+
+def _stated_frame(file: TaskFile, object: Graspable) -> Pose | None:
+    """The pose of the body in the frame F that the file states, X_FB; None where that is the body's own."""
+    if file.frame == "body":
+        return None
+    if not isinstance(object, RigidObject):
+        raise TaskError('frame = "world" is for objects that a file places in space; a planar object has only its own')
+    return object.pose_in_file
+
+
+def _point(pose: Pose | None, point: np.ndarray) -> np.ndarray:
+    """A point of F, shape (d,), in B [m]."""
+    return point if pose is None else pose.to_local(point)
+
+
+def _turned(pose: Pose | None, wrenches: np.ndarray) -> np.ndarray:
+    """Wrenches about one point from the axes of F to those of B, shape (l, D): R_BF f, R_BF m."""
+    if pose is None or wrenches.shape[1] != 6:  # a set for the plane is refused where its shape is checked
+        return wrenches
+    rows: np.ndarray = wrenches.reshape(-1, 2, 3) @ pose.rotation
+    return rows.reshape(-1, 6)
 
 
 def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> WrenchSet:
@@ -105,7 +161,7 @@ def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> 
     fields = {key: value for key, value in table.items() if key != "kind"}
     try:
         if kind in PRESETS:
-            return msgspec.convert(fields, PRESETS[kind]).for_object(object, point)
+            return _preset(msgspec.convert(fields, PRESETS[kind]), object, point)
         return msgspec.convert(fields, KINDS[kind])
     except msgspec.ValidationError as error:
         message = str(error) if "`$" in str(error) else f"{error} - at `$`"

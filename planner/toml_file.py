@@ -6,6 +6,7 @@ from typing import TypeVar
 
 import msgspec
 
+from planner.bounded_read import read_bounded
 from planner.errors import RhograspError
 
 MAX_FILE_BYTES = 1_000_000
@@ -14,7 +15,9 @@ MAX_FILE_BYTES = 1_000_000
 T = TypeVar("T")
 
 
-def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError], hint: str = "") -> T:
+def read_toml(
+    path: Path, struct: type[T], name: str, error: type[RhograspError], hint: str = "", sample: str = ""
+) -> T:
     """The content of a TOML file.
 
     Args:
@@ -23,18 +26,13 @@ def read_toml(path: Path, struct: type[T], name: str, error: type[RhograspError]
         name: What such a file is called, for the messages.
         error: Kind of error to raise.
         hint: What else a user may have meant, where there is no such file.
+        sample: What ends a complaint about the content: how a file that is right can look.
 
     Raises:
         RhograspError: Of the given kind, if the file cannot be read, is too long, is not TOML, or does not fit.
     """
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as cause:  # ValueError: a path that no file can have
-        raise error(f"the {name} '{path}' cannot be read: {cause}{hint}") from cause
-    if len(content) > MAX_FILE_BYTES:
-        raise error(f"the {name} '{path}' is longer than {MAX_FILE_BYTES} bytes")
+    content = read_bounded(path, MAX_FILE_BYTES, name, error, hint)
     try:
         return msgspec.convert(tomllib.loads(content.decode()), struct)
-    except (ValueError, RecursionError, msgspec.ValidationError, RhograspError) as cause:  # ValueError: TOML, UTF-8
-        raise error(f"'{path}' is not a {name}: {cause}") from cause
+    except (ValueError, OverflowError, RecursionError, RhograspError) as cause:  # ValueError: TOML, UTF-8
+        raise error(f"'{path}' is not a {name}: {cause}{sample}") from cause

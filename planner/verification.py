@@ -1,20 +1,24 @@
-"""Is a grasp file true? Checked with none of the code that found it.
+"""Is a grasp file true? Checked with none of the code that searched for it.
 
-Forces are checked by the definition of balance, cone and cap; rho by an independent CVXPY model of every inner
-problem; the bound by the cuts of the certificate (`planner.certificate`).
+What it says of its object is checked by making it again (`planner.provenance`), forces by the definition of balance,
+cone and cap, rho by an independent CVXPY model of every inner problem, and the bound by the cuts of the certificate
+(`planner.certificate`).
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import combinations
+from pathlib import Path
 from time import perf_counter
 
 import numpy as np
 
 from planner.certificate import check_bound
+from planner.check import Check, checked
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
+from planner.provenance.provenance import check_provenance
 from planner.search.result import Status
 
 Observe = Callable[[str, float, float], None]
@@ -27,28 +31,21 @@ INFEASIBLE_TIMES = 1e4
 """A grasp that needs this many times the largest wrench of W_R is called infeasible."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Check:
-    """One claim of a grasp file and whether it holds."""
-
-    claim: str
-    holds: bool
-    detail: str
-
-
-def verify(grasp: Grasp, observe: Observe = lambda *_: None) -> tuple[Check, ...]:
+def verify(grasp: Grasp, observe: Observe = lambda *_: None, moved: Path | None = None) -> tuple[Check, ...]:
     """Check every claim of a grasp.
 
     Args:
         grasp: What to check.
         observe: Told the progress of what may take long.
+        moved: Where the object's file is now; by default where the grasp says.
 
     Returns:
-        One check per claim; the grasp is true if all hold.
+        One check per claim; nothing in the grasp is false if none fails, and it is true if all hold. Claims that could
+        not be checked, about an object whose file is absent for example, say why.
     """
-    checks = []
+    checks = list(check_provenance(grasp, moved))
     if grasp.found:
-        checks = [_contacts(grasp), _balance(grasp), _cones(grasp), _caps(grasp), _rho(grasp, observe)]
+        checks += [_contacts(grasp), _balance(grasp), _cones(grasp), _caps(grasp), _rho(grasp, observe)]
     return (*checks, _bound(grasp, observe), _status(grasp))
 
 
@@ -62,7 +59,7 @@ def _contacts(grasp: Grasp) -> Check:
         float(np.abs(grasp.contacts.strengths / grasp.certificate.strengths[grasp.candidates] - 1).max()),
     )
     broken = _broken_limits(grasp)
-    return Check(
+    return checked(
         claim="the contacts are candidates that keep the limits" if _limited(grasp) else "the contacts are candidates",
         holds=difference <= TOLERANCE and not broken,
         detail="; ".join([f"largest difference {difference:.1e}", *broken]),
@@ -86,7 +83,7 @@ def _broken_limits(grasp: Grasp) -> list[str]:
         points = certificate.candidates.points[chosen]
         distance = float(np.linalg.norm(points[first] - points[second]))
         if not certificate.spacing <= distance <= certificate.span:
-            broken.append(f"contacts {first + 1} and {second + 1} are {distance:.6g} m apart")
+            broken.append(f"contacts {first + 1} and {second + 1} are {in_mm(distance, 6)} mm apart")
     return broken
 
 
@@ -102,7 +99,7 @@ def _balance(grasp: Grasp) -> Check:
         moment = np.cross(arms, grasp.forces).sum(axis=1) + task.wrenches[:, 3:]
     length = float(np.linalg.norm(arms, axis=1).max()) or 1.0
     error = max(float(np.abs(force).max()), float(np.abs(moment).max()) / length) / grasp.rho
-    return Check(
+    return checked(
         claim="the forces balance every wrench", holds=error <= TOLERANCE, detail=f"residual {error:.1e} of rho"
     )
 
@@ -113,7 +110,7 @@ def _cones(grasp: Grasp) -> Check:
     length = np.linalg.norm(grasp.forces, axis=2)
     tangential = np.sqrt(np.maximum(length**2 - normal**2, 0.0))
     outside = float(np.maximum(tangential - grasp.contacts.friction * normal, -normal).max()) / grasp.rho
-    return Check(
+    return checked(
         claim="every force lies in its friction cone",
         holds=outside <= TOLERANCE,
         detail=f"largest excess {max(outside, 0.0):.1e} of rho",
@@ -124,7 +121,7 @@ def _caps(grasp: Grasp) -> Check:
     """|f_i| <= s_i phi for every wrench, and phi <= rho."""
     lengths = np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths
     excess = float((lengths - grasp.phi[:, None]).max()) / grasp.rho
-    return Check(
+    return checked(
         claim="no finger pushes harder than it has to be able to",
         holds=excess <= TOLERANCE,
         detail=f"largest excess {max(excess, 0.0):.1e} of rho",
@@ -140,7 +137,7 @@ def _rho(grasp: Grasp, observe: Observe) -> Check:
         problem = ForceProblem(contacts=grasp.contacts, reference_point=task.reference_point, wrench=wrench)
         phi[row] = solver.solve(problem).phi
     difference = float(np.abs(phi - grasp.phi).max()) / grasp.rho
-    return Check(
+    return checked(
         claim="an independent solver finds the same forces for every wrench",
         holds=difference <= TOLERANCE and abs(float(phi.max()) / grasp.rho - 1) <= TOLERANCE,
         detail=f"rho {phi.max():.9g} N, phi differs by at most {difference:.1e} of rho",
@@ -152,7 +149,7 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
     search, certificate = grasp.search, grasp.certificate
     claim = f"no {search.fingers} of {len(certificate.candidates)} candidates need less than {grasp.lower_bound:.6g} N"
     if grasp.lower_bound <= 0:
-        return Check(claim=claim, holds=True, detail="no bound is claimed")
+        return checked(claim=claim, holds=True, detail="no bound is claimed")
     task = grasp.task
     subsets = certificate.subsets(search.fingers)
 
@@ -165,7 +162,7 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
     detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method} in {perf_counter() - began:.2g} s"
     if check.counterexample:
         detail += f"; no cut covers subset {check.counterexample}"
-    return Check(claim=claim, holds=check.proven, detail=detail)
+    return checked(claim=claim, holds=check.proven, detail=detail)
 
 
 def _status(grasp: Grasp) -> Check:
@@ -173,7 +170,7 @@ def _status(grasp: Grasp) -> Check:
     claim = f"the status is {grasp.status}"
     if grasp.status is Status.OPTIMAL:
         asked = max(grasp.search.gap, TOLERANCE)
-        return Check(
+        return checked(
             claim=claim, holds=grasp.found and grasp.gap <= asked, detail=f"gap {grasp.gap:.3g}, asked {asked:.3g}"
         )
     if grasp.status is Status.INFEASIBLE:
@@ -182,9 +179,9 @@ def _status(grasp: Grasp) -> Check:
         forces, moments = np.split(grasp.task.wrenches, [dimension], axis=1)
         load = max(float(np.abs(forces).max()), float(np.abs(moments).max() / np.linalg.norm(arms, axis=1).max()))
         times = grasp.lower_bound / load
-        return Check(
+        return checked(
             claim=claim,
             holds=not grasp.found and times >= INFEASIBLE_TIMES * (1 - TOLERANCE),
             detail=f"any grasp needs at least {times:.3g} times the largest wrench",
         )
-    return Check(claim=claim, holds=True, detail=f"gap {grasp.gap:.3g} is open and so stated")
+    return checked(claim=claim, holds=True, detail=f"gap {grasp.gap:.3g} is open and so stated")

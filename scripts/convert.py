@@ -1,6 +1,6 @@
 """The same as the console command `grasp-convert`."""
 
-from planner.commands.convert import main
+from planner.commands.start import convert
 
 if __name__ == "__main__":
-    main()
+    convert()

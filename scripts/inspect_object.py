@@ -1,6 +1,6 @@
 """The same as the console command `grasp-inspect`; a script called inspect.py would hide a module of Python's own."""
 
-from planner.commands.inspect import main
+from planner.commands.start import inspect
 
 if __name__ == "__main__":
-    main()
+    inspect()

@@ -1,6 +1,6 @@
 """The same as the console command `grasp-plan`."""
 
-from planner.commands.plan import main
+from planner.commands.start import plan
 
 if __name__ == "__main__":
-    main()
+    plan()

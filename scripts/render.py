@@ -1,6 +1,6 @@
 """The same as the console command `grasp-render`."""
 
-from sim.commands.render import main
+from sim.commands.start import render
 
 if __name__ == "__main__":
-    main()
+    render()

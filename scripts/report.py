@@ -1,6 +1,6 @@
 """The same as the console command `grasp-report`."""
 
-from sim.commands.report import main
+from sim.commands.start import report
 
 if __name__ == "__main__":
-    main()
+    report()

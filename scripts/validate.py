@@ -1,6 +1,6 @@
 """The same as the console command `grasp-validate`."""
 
-from sim.commands.validate import main
+from sim.commands.start import validate
 
 if __name__ == "__main__":
-    main()
+    validate()

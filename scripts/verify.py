@@ -1,6 +1,6 @@
 """The same as the console command `grasp-verify`."""
 
-from planner.commands.verify import main
+from planner.commands.start import verify
 
 if __name__ == "__main__":
-    main()
+    verify()

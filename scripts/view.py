@@ -1,6 +1,6 @@
 """The same as the console command `grasp-view`."""
 
-from sim.commands.view import main
+from sim.commands.start import view
 
 if __name__ == "__main__":
-    main()
+    view()

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from planner.contacts import Contacts
+from planner.contacts import Contacts, grasp_maps
 from sim.feed_forward import FeedForward
 from sim.protocol import ValidationProtocol
 from sim.scene.units import Similarity
@@ -14,7 +14,8 @@ def adaptive_trial(
 ) -> Trial:
     """A trial whose forces answer each wrench within its cap with the least friction utilisation.
 
-    Where there is no wrench to answer the fingers go on squeezing.
+    Before it comes they press along their normals, each with its strength, against the wrench that balances them;
+    where there is no wrench to answer they squeeze with an internal force.
 
     Args:
         contacts: The grasp in the body frame, SI, with the planned friction, of which only the ratios count.
@@ -24,15 +25,18 @@ def adaptive_trial(
         protocol: Settings.
     """
     loads = units.wrenches(wrenches)
-    feed_forward = FeedForward(units.contacts(contacts), np.zeros(3))
-    preload = protocol.preload * feed_forward.internal_force(1.0)
+    touching = units.contacts(contacts)
+    feed_forward = FeedForward(touching, np.zeros(3))
+    press = protocol.preload * touching.strengths[:, None] * touching.normals
+    held_against = -np.einsum("iDd,id->D", grasp_maps(touching.points, np.zeros(3)), press)
     return Trial(
         wrenches=loads,
         caps=caps,
-        preloads=caps[:, None, None] * preload,
+        preloads=caps[:, None, None] * press,
+        preload_wrenches=caps[:, None] * held_against,
         forces=np.array(
             [
-                feed_forward.forces(load, cap) if load.any() else cap * preload
+                feed_forward.forces(load, cap) if load.any() else feed_forward.internal_force(protocol.preload * cap)
                 for load, cap in zip(loads, caps, strict=True)
             ]
         ),

@@ -124,21 +124,30 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
     answers = experiment.adaptive(paths.reshape(-1, 6), np.full(count * corners, cap))
     wrenches = answers.wrenches.reshape(count, corners, 6)
     forces = answers.forces.reshape(count, corners, -1, 3)
-    preloads, caps = answers.preloads[::corners], answers.caps[::corners]
-    loads = _along(wrenches, preloads, forces, experiment.protocol)
+    caps = answers.caps[::corners]
+    first, last = (
+        Trial(
+            wrenches=wrenches[:, corner],
+            caps=caps,
+            preloads=answers.preloads[::corners],
+            preload_wrenches=answers.preload_wrenches[::corners],
+            forces=forces[:, corner],
+        )
+        for corner in (0, -1)
+    )
+    loads = _along(first, wrenches, forces, experiment.protocol)
     protocol = experiment.protocol
     final = step_through(experiment.scene, loads, caps, protocol, lost=protocol.lost)
-    last = Trial(wrenches=wrenches[:, -1], caps=caps, preloads=preloads, forces=forces[:, -1])
     return measure(experiment.scene, last, final, 1 / experiment.units.force, experiment.protocol)
 
 
 def _along(
-    wrenches: np.ndarray, preloads: np.ndarray, forces: np.ndarray, protocol: ValidationProtocol
+    first: Trial, wrenches: np.ndarray, forces: np.ndarray, protocol: ValidationProtocol
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Wrenches and forces of every step: up to the first corner as in any trial, then from corner to corner."""
     rise = round((protocol.preload_time + protocol.ramp_time) / protocol.timestep)
     for squeeze, load in fractions(protocol)[:rise]:
-        yield load * wrenches[:, 0], squeeze * preloads + load * (forces[:, 0] - preloads)
+        yield first.at(squeeze, load)
     steps = round(TURN_TIME / protocol.timestep)
     for place in np.linspace(0.0, wrenches.shape[1] - 1.0, steps, endpoint=False) + (wrenches.shape[1] - 1.0) / steps:
         corner = min(int(place), wrenches.shape[1] - 2)

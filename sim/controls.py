@@ -5,13 +5,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from planner.contact_models.friction_cone import utilisation
 from planner.contacts import Contacts
+from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.control import Control
 from sim.displacement import DisplacedGrasp, displaced_grasps
 from sim.experiment import Experiment, set_up
+from sim.feed_forward import FeedForward
 from sim.measurement import Measurement
-from sim.prediction import predicted_caps
+from sim.prediction import on_friction_limit, predicted_caps
 from sim.protocol import ValidationProtocol
 from sim.trial import Trial
 
@@ -38,23 +41,43 @@ def cap_control(outcome: Measurement, critical_wrench: int, phi: float, protocol
     )
 
 
-def creep_control(outcome: Measurement, protocol: ValidationProtocol) -> Control:
-    """Fingers that only squeeze must not creep.
+def squeezes(experiment: Experiment) -> bool:
+    """Whether the internal force that fingers without load take fits the planned cones."""
+    contacts, margin = experiment.contacts, experiment.protocol.friction_margin
+    forces = FeedForward(contacts, experiment.units.reference_point).internal_force(1.0)
+    return bool(forces.any() and (utilisation(forces, contacts.normals) <= margin * contacts.friction).all())
+
+
+def creep_control(
+    outcome: Measurement,
+    protocol: ValidationProtocol,
+    part: float,
+    critical_wrench: int,
+    phi: float,
+    *,
+    decidable: bool,
+) -> Control:
+    """Fingers that only squeeze must not creep; where they cannot squeeze, nor under a light load.
 
     Args:
-        outcome: A simulation without load, alone.
+        outcome: That simulation alone.
         protocol: Settings.
+        part: Of the critical wrench that acts; zero for no load.
+        critical_wrench: Its index among the vertices.
+        phi: Predicted cap of what acts [N].
+        decidable: Whether what acts keeps off the friction limit.
     """
+    load = f"these fingers cannot squeeze; {part:g} of critical wrench {critical_wrench}" if part else "no load"
     return Control(
         name="creep",
-        change=f"no load; the slip must stay below {protocol.creep_tolerance:g} R0",
-        wrenches=np.array([-1]),
-        phi=np.zeros(1),
+        change=f"{load}; the slip must stay below {protocol.creep_tolerance:g} R0",
+        wrenches=np.array([critical_wrench if part else -1]),
+        phi=np.array([phi]),
         caps=outcome.caps,
         slips=outcome.slip,
         held=outcome.held & (outcome.slip < protocol.creep_tolerance),
         expected=np.array([True]),
-        counted=np.array([True]),
+        counted=np.array([decidable]),
     )
 
 
@@ -67,7 +90,8 @@ def friction_control(
 ) -> Control:
     """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
 
-    The fingers do the same as before: their forces do not know the friction.
+    The friction is lowered until theory says that some wrench is lost: a grasp that friction does not limit holds as
+    before with a little less of it. The fingers do the same as before: their forces do not know the friction.
 
     Args:
         experiment: With the planned contacts.
@@ -80,13 +104,13 @@ def friction_control(
         SimulationError: When MuJoCo stops or loses a simulation.
     """
     protocol, contacts = experiment.protocol, experiment.contacts
-    friction = protocol.friction_factor * contacts.friction
-    slippery = replace(contacts, friction=friction)
-    phi = predicted_caps(slippery, reference_point, wrenches)
+    cap = float(trial.caps.max()) / experiment.units.force
+    factor, phi = _losing_friction(contacts, reference_point, wrenches, cap, protocol)
+    friction = factor * contacts.friction
     outcome = experiment.with_friction(friction).perform(trial, observe)
     return Control(
         name="friction",
-        change=f"friction at {protocol.friction_factor:g} of the planned, cap at {protocol.hold_factor:g} rho",
+        change=f"friction at {factor:.3g} of the planned, cap at {protocol.hold_factor:g} rho",
         wrenches=np.arange(len(wrenches)),
         phi=phi,
         caps=outcome.caps,
@@ -95,6 +119,24 @@ def friction_control(
         expected=phi < outcome.caps,
         counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
     )
+
+
+def _losing_friction(
+    contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray, cap: float, protocol: ValidationProtocol
+) -> tuple[float, np.ndarray]:
+    """The part of the friction at which theory says that some wrench is lost, and every wrench's phi there.
+
+    Where none is so low, the first part that was tried: every wrench must then be held.
+    """
+    tried = []
+    factor = protocol.friction_factor
+    while factor >= protocol.least_friction:
+        slippery = replace(contacts, friction=factor * contacts.friction)
+        tried.append((factor, predicted_caps(slippery, reference_point, wrenches)))
+        if (tried[-1][1] > (1 + protocol.ambiguity) * cap).any():
+            return tried[-1]
+        factor *= protocol.friction_factor
+    return tried[0]
 
 
 def displacement_control(
@@ -129,12 +171,14 @@ def displacement_control(
         if experiment.static.reasons():
             continue
         worst = int(phi.argmax())
+        if on_friction_limit(grasp.contacts, reference_point, wrenches[[worst]], protocol.friction_margin)[0]:
+            continue
         outcome = experiment.measure(
             wrenches[[worst, worst]], np.array([protocol.hold_factor, protocol.control_factor])
         )
         return Control(
             name="displaced contact",
-            change=f"finger {grasp.finger + 1} moved {grasp.distance:.3g} m, its own rho {phi.max():.5g} N",
+            change=f"finger {grasp.finger + 1} moved {in_mm(grasp.distance, 3)} mm, its own rho {phi.max():.5g} N",
             wrenches=np.array([worst, worst]),
             phi=phi[[worst, worst]],
             caps=outcome.caps,
@@ -143,10 +187,15 @@ def displacement_control(
             expected=np.array([True, False]),
             counted=np.array([True, True]),
         )
+    return _impossible("displaced contact", "no contact can move along its face and leave a grasp off its limits")
+
+
+def _impossible(name: str, why: str) -> Control:
+    """A control that this grasp does not allow."""
     numbers, answers = np.zeros(0), np.zeros(0, dtype=bool)
     return Control(
-        name="displaced contact",
-        change="no contact can move along its face and leave a grasp",
+        name=name,
+        change=why,
         wrenches=np.zeros(0, dtype=int),
         phi=numbers,
         caps=numbers,

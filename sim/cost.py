@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from planner.contacts import Contacts
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
@@ -83,7 +84,7 @@ def _grasp(fingers: int, wrenches: int) -> tuple[RigidObject, Contacts, np.ndarr
     outward = np.stack([ring * np.cos(angle), ring * np.sin(angle), height], axis=1)
     contacts = Contacts(points=RADIUS * outward, normals=-outward, friction=np.full(fingers, FRICTION))
     held = RigidObject(
-        file=Path("ball.xml"),
+        source=ObjectSource(file=Path("ball.xml")),
         sha256="",
         body="ball",
         parts=(ball,),

@@ -14,8 +14,9 @@ from sim.protocol import ValidationProtocol
 from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
 from sim.scene.object_joints import ObjectJoints, joints_of
-from sim.scene.scene import Scene, build_scene, with_friction
-from sim.scene.static_check import StaticCheck, check_touch
+from sim.scene.placement import placed_scene
+from sim.scene.scene import Scene, with_friction
+from sim.scene.static_check import StaticCheck
 from sim.scene.units import Similarity, similarity
 from sim.schedule import steps
 from sim.trial import Trial, run
@@ -102,7 +103,8 @@ def set_up(
 ) -> Experiment:
     """Compose and compile the scene with the largest fingertips that touch only where planned.
 
-    If even the smallest do not, the static check says which.
+    Those that confirmed the candidates are among them. If even the smallest touch anything else, the static check says
+    which.
 
     Args:
         rigid_object: What the fingers hold.
@@ -117,46 +119,34 @@ def set_up(
         ContactError: When the friction is not one positive number per contact.
     """
     units = similarity(contacts, reference_point, rho, protocol.reach)
-    touching, joints = units.contacts(replace(contacts, friction=friction)), joints_of(rigid_object)
-    for radius in protocol.tip_radii:
-        scene = experiment_scene(rigid_object.parts, touching, units, protocol, radius, joints)
-        static = check_touch(scene, rigid_object.size, units.length, protocol)
-        if not static.reasons():
-            break
+    held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
+    touching = units.contacts(replace(contacts, friction=friction))
+    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
+    radii = [radius * protocol.reach for radius in protocol.tip_radii]
+    scene, static = placed_scene(held, tips, protocol, radii, rigid_object.size)
     return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
 
 
-def experiment_scene(
-    parts: Sequence[ConvexPart],
-    touching: Contacts,
-    units: Similarity,
-    protocol: ValidationProtocol,
-    tip_radius: float,
-    joints: ObjectJoints,
-) -> Scene:
-    """The object with its inertial frame at the reference point, where MuJoCo applies forces, and fingertips.
+def floating_object(
+    parts: Sequence[ConvexPart], units: Similarity, protocol: ValidationProtocol, joints: ObjectJoints
+) -> FloatingObject:
+    """The object with its centre of mass at the reference point, where MuJoCo then applies the wrenches.
 
     Args:
-        parts: The object's collision geoms, in the body frame, SI.
-        touching: The grasp in the units of the experiment, with the friction to simulate.
-        units: Map to those units.
+        parts: Its collision geoms, in the body frame, SI.
+        units: Map to the units of the experiment.
         protocol: Settings.
-        tip_radius: Radius of the fingertips, relative to the reach.
-        joints: How the object may move.
-
-    Raises:
-        SimulationError: When MuJoCo cannot compile the scene.
+        joints: How it may move.
     """
-    held = FloatingObject(
+    return FloatingObject(
         parts=parts,
         units=units,
         mass=protocol.object_mass,
         center_of_mass=np.zeros(3),
         inertia=protocol.object_mass * protocol.reach**2 * np.eye(3),
         joints=joints,
+        drag=protocol.object_damping,
     )
-    tips = Fingertips(contacts=touching, radius=tip_radius * protocol.reach, mass=protocol.tip_mass)
-    return build_scene(held, tips, protocol)
 
 
 def check_wrenches(wrenches: np.ndarray, phi: np.ndarray) -> None:

@@ -1,5 +1,7 @@
 """What the theory says about a grasp and its wrenches, solved anew: the measurement trusts no file."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from planner.contacts import Contacts, contact_frames, grasp_maps
@@ -22,3 +24,21 @@ def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np
     maps = grasp_maps(contacts.points, reference_point) @ frames
     length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
     return np.array([solver.solve_arrays(maps, contacts.friction, wrench, length)[1] for wrench in wrenches])
+
+
+def on_friction_limit(
+    contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray, margin: float
+) -> np.ndarray:
+    """Which wrenches need more than `margin` of the friction whatever the cap: no measurement can decide these.
+
+    Args:
+        contacts: The grasp.
+        reference_point: p_o, shape (d,) [m].
+        wrenches: About p_o, shape (wrenches, D) [N, N m].
+        margin: Part of the friction, below 1.
+
+    Returns:
+        Shape (wrenches,).
+    """
+    slippery = replace(contacts, friction=margin * contacts.friction)
+    return ~np.isfinite(predicted_caps(slippery, reference_point, wrenches))

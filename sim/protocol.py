@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.objects.touch import CLEARANCE, ON_SURFACE
 from sim.final_state import FinalState
 from sim.force_law import FingerLaw
 from sim.scene.physics import Physics
@@ -28,9 +29,17 @@ class ValidationProtocol(Physics, FingerLaw):
     object_mass: float = 0.1
     """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
 
+    object_damping: float = 1.0
+    """Drag on the object's motion [N s/m], times reach^2 on its rotation: none at rest, so statics do not feel it.
+
+    An object on capped fingertips below it is a pendulum upside down; without drag it tips, without any slip, by up
+    to 2e-3 within the hold, with it by 1e-4. From 10 on slow slips are held back.
+    """
+
     # Fingers
     preload: float = 0.5
-    """Largest force of the preload, relative to the cap."""
+    """Press of every finger along its normal before the load, and the largest internal force without one, relative
+    to the cap."""
 
     # Schedule
     preload_time: float = 0.05
@@ -43,11 +52,11 @@ class ValidationProtocol(Physics, FingerLaw):
     """Seconds under the full wrench [s]."""
 
     # Geometry
-    touch_tolerance: float = 1e-6
+    touch_tolerance: float = ON_SURFACE
     """Largest gap or overlap of a fingertip and the object before the test, relative to the object's size."""
 
-    clearance: float = 2e-4
-    """Least distance of a fingertip from any other geom of the object, relative to the reach."""
+    clearance: float = CLEARANCE
+    """Least distance of a fingertip from any other surface of the object, relative to the object's size."""
 
     # Verdict
     loaded: float = 0.01
@@ -70,7 +79,15 @@ class ValidationProtocol(Physics, FingerLaw):
 
     # Controls: what must happen if the experiment is to be believed
     friction_factor: float = 0.9
-    """With the planned friction multiplied by this, exactly the predicted wrenches must slip."""
+    """With the planned friction multiplied by this, as often as it takes until theory says that some wrench is lost,
+    exactly the predicted wrenches must slip."""
+
+    least_friction: float = 0.05
+    """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp,
+    and every wrench must be held with the first part."""
+
+    friction_margin: float = 0.98
+    """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit."""
 
     ambiguity: float = 0.01
     """Wrenches whose predicted cap is within this part of the simulated one are too near to call."""
@@ -92,8 +109,8 @@ class ValidationProtocol(Physics, FingerLaw):
         return self.preload_time + self.ramp_time + self.hold_time
 
 
-ACTIVE = ValidationProtocol(name="rhograsp.active/1")
+ACTIVE = ValidationProtocol(name="rhograsp.active/2")
 """Finger forces adapt to each wrench, which is what rho means."""
 
-STRICT = replace(ACTIVE, name="rhograsp.active-strict/1", hold_factor=1.005, control_factor=0.995)
+STRICT = replace(ACTIVE, name="rhograsp.active-strict/2", hold_factor=1.005, control_factor=0.995)
 """The same with a four times narrower band around rho."""

@@ -5,7 +5,7 @@ true. The wrong prediction is then compared with what MuJoCo measures.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -58,9 +58,7 @@ class MisledExperiment(Experiment):
     def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
         """Forces for what is believed, wrenches as they are."""
         trial = super().adaptive(self.believed(wrenches), caps)
-        return Trial(
-            wrenches=self.units.wrenches(wrenches), caps=trial.caps, preloads=trial.preloads, forces=trial.forces
-        )
+        return replace(trial, wrenches=self.units.wrenches(wrenches))
 
 
 class PyramidForces(CvxpyForces):

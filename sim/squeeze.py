@@ -33,6 +33,7 @@ SQUEEZE = replace(
     stiffness=3e4,  # the theory's twists are small: at 100 N/m Case III moves by 3 % of R0, here by 1e-4
     tip_mass=1.0,  # so that this spring swings in 36 ms, well resolved by the time step, well below the ramp
     object_mass=0.3,
+    object_damping=0.0,
     slip_tolerance=1e-5,  # a stiff finger that slides gives way by little: seen 2e-5 below the need, 1e-6 above
     motion_tolerance=1e-2,  # springs give way; beyond this the twists are not small
     hold_time=0.15,  # nothing adapts, so nothing more happens
@@ -169,7 +170,10 @@ def _slipped(
     units, protocol = experiment.units, experiment.protocol
     preload = np.repeat(scale * units.force * need.preload[None], len(rows), axis=0)
     uncapped = np.full(len(rows), np.inf)
-    trial = Trial(wrenches=units.wrenches(wrenches[rows]), caps=uncapped, preloads=preload, forces=preload)
+    loads = units.wrenches(wrenches[rows])
+    trial = Trial(
+        wrenches=loads, caps=uncapped, preloads=preload, preload_wrenches=np.zeros_like(loads), forces=preload
+    )
     final = run(experiment.scene, trial, protocol, each_step(observe, len(rows), steps(protocol)))
     outcome = measure(experiment.scene, trial, final, 1.0, protocol)
     shares = np.linalg.norm(preload + units.force * (need.forces[rows] - need.preload), axis=2)

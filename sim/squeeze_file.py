@@ -30,7 +30,8 @@ class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
     preload: tuple[tuple[float, float, float], ...] | None
     """Constant push of each finger in the body frame [N]."""
     measured_lower: float
-    """Largest force with which some wrench slipped [N]; 0 if none was seen to."""
+    """Largest force with which some wrench slipped [N]; 0 if none was seen to, or nothing was measured because no
+    constant preload holds every wrench."""
     measured_upper: float | None
     """Least force with which every wrench held [N]; null if none was seen to."""
     critical_wrench: int | None

@@ -36,10 +36,20 @@ class Trial:
     """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
 
     preloads: np.ndarray
-    """Internal forces before the load, shape (simulations, contacts, 3) [N]."""
+    """Feed-forward forces before the load, shape (simulations, contacts, 3) [N]."""
+
+    preload_wrenches: np.ndarray
+    """External wrenches that balance the preloads, shape (simulations, 6) [N, N m]; zero for an internal force."""
 
     forces: np.ndarray
     """Feed-forward forces under the full wrench, shape (simulations, contacts, 3) [N]."""
+
+    def at(self, squeeze: float, load: float) -> tuple[np.ndarray, np.ndarray]:
+        """Wrenches and feed-forward forces at a squeeze s and a load fraction a; see sim/schedule.py."""
+        return (
+            squeeze * self.preload_wrenches + load * (self.wrenches - self.preload_wrenches),
+            squeeze * self.preloads + load * (self.forces - self.preloads),
+        )
 
 
 def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Observer = lambda *_: None) -> FinalState:
@@ -48,8 +58,7 @@ def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Obser
     Raises:
         SimulationError: When MuJoCo stops a simulation.
     """
-    growth = trial.forces - trial.preloads
-    loads = ((load * trial.wrenches, squeeze * trial.preloads + load * growth) for squeeze, load in fractions(protocol))
+    loads = (trial.at(squeeze, load) for squeeze, load in fractions(protocol))
     return step_through(scene, loads, trial.caps, protocol, observe, protocol.lost)
 
 

@@ -19,16 +19,19 @@ from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
 from sim.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.control import Control
-from sim.controls import cap_control, creep_control, displacement_control, friction_control
+from sim.controls import cap_control, creep_control, displacement_control, friction_control, squeezes
 from sim.critical_force import CriticalForce, bisect_caps, check_predictions, expected_simulations
 from sim.experiment import Experiment, check_wrenches, set_up
 from sim.force_agreement import ForceAgreement, force_agreement
 from sim.measurement import Measurement
+from sim.prediction import on_friction_limit
 from sim.protocol import ACTIVE, ValidationProtocol
 from sim.scene.static_check import StaticCheck
-from sim.verdict import Verdict, judge, unheld
+from sim.verdict import Verdict, judge, undecided, unheld
 from sim.workload import Observe, Workload
 
+LIGHT = 0.5
+"""Part of the critical wrench under which fingers that cannot squeeze must not creep."""
 FEW = 4
 """Simulations of the controls beside those that run every wrench again."""
 
@@ -180,12 +183,14 @@ def validate_contacts(
         trial = experiment.adaptive(wrenches, np.full(count, protocol.hold_factor))
         vertices = experiment.perform(trial, holding)
         controls = (
-            *_simple_controls(experiment, wrenches, critical_wrench, phi),
+            *_simple_controls(experiment, wrenches, critical_wrench, phi, reference_point),
             friction_control(experiment, trial, reference_point, wrenches, work.part("controls", count + FEW)),
             displacement_control(rigid_object, contacts, reference_point, wrenches, critical_wrench, protocol),
         )
-        objections = unheld(vertices, protocol)
-        doubts = tuple(doubt for control in controls if (doubt := control.doubt()))
+        limited = on_friction_limit(contacts, reference_point, wrenches, protocol.friction_margin)
+        objections = unheld(vertices, limited, protocol)
+        doubts = undecided(vertices, limited, protocol)
+        doubts += tuple(doubt for control in controls if (doubt := control.doubt()))
         if measure:
             part = work.part("bisecting the cap of every wrench", expected_simulations(count))
             critical_force = bisect_caps(experiment, wrenches, phi, part)
@@ -224,13 +229,24 @@ def _expected(wrenches: int, *, measure: bool, thorough: bool) -> int:
 
 
 def _simple_controls(
-    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray
+    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray, reference_point: np.ndarray
 ) -> tuple[Control, Control]:
     """Less cap and no load: two more simulations of the same experiment."""
     protocol = experiment.protocol
-    loads = np.vstack([wrenches[critical_wrench], np.zeros(6)])
+    part = 0.0 if squeezes(experiment) else LIGHT
+    loads = np.vstack([wrenches[critical_wrench], part * wrenches[critical_wrench]])
+    limited = on_friction_limit(
+        experiment.contacts, reference_point, wrenches[[critical_wrench]], protocol.friction_margin
+    )
     outcome = experiment.measure(loads, np.array([protocol.control_factor, protocol.hold_factor]))
     return (
         cap_control(outcome.rows(slice(0, 1)), critical_wrench, float(phi[critical_wrench]), protocol),
-        creep_control(outcome.rows(slice(1, 2)), protocol),
+        creep_control(
+            outcome.rows(slice(1, 2)),
+            protocol,
+            part,
+            critical_wrench,
+            part * float(phi[critical_wrench]),
+            decidable=not (part and limited[0]),
+        ),
     )

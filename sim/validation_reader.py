@@ -2,14 +2,14 @@
 
 from pathlib import Path
 
-import msgspec
-
+from planner.bounded_read import read_bounded
 from planner.errors import GraspFileError
 from planner.grasp import Grasp
-from planner.grasp_document import Header
+from planner.json_document import MOST_BYTES, Header, decode_json
 from sim.validation_file import FORMAT, FORMAT_VERSION, ValidationDocument
 
-MAX_BYTES = 2**28
+NAME = "validation file"
+
 AGREEMENT = 1e-9
 """Relative difference of two values of rho that are the same."""
 
@@ -20,23 +20,14 @@ def read_validation(path: Path) -> ValidationDocument:
     Raises:
         GraspFileError: When it is missing, truncated, too large, of another format or another version.
     """
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise GraspFileError(f"cannot read {path}: {error.strerror}") from error
-    if len(content) > MAX_BYTES:
-        raise GraspFileError(f"{path} is larger than {MAX_BYTES} bytes: not a validation file")
-    try:
-        header = msgspec.json.decode(content, type=Header)
-        if (header.format, header.format_version) != (FORMAT, FORMAT_VERSION):
-            raise GraspFileError(
-                f"{path} has format {header.format!r} version {header.format_version}; expected {FORMAT!r} version "
-                f"{FORMAT_VERSION}; validate the grasp again"
-            )
-        return msgspec.json.decode(content, type=ValidationDocument)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise GraspFileError(f"{path} is not a validation file, or is truncated: {error}") from error
+    content = read_bounded(path, MOST_BYTES, NAME, GraspFileError)
+    header = decode_json(content, Header, path, NAME)
+    if (header.format, header.format_version) != (FORMAT, FORMAT_VERSION):
+        raise GraspFileError(
+            f"{path} has format {header.format!r} version {header.format_version}; expected {FORMAT!r} version "
+            f"{FORMAT_VERSION}; validate the grasp again"
+        )
+    return decode_json(content, ValidationDocument, path, NAME)
 
 
 def read_validation_of(path: Path, grasp: Grasp) -> ValidationDocument:

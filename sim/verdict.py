@@ -30,9 +30,27 @@ def judge(objections: Sequence[str], doubts: Sequence[str]) -> Verdict:
     return Verdict.FAIL if objections else Verdict.PASS
 
 
-def unheld(vertices: Measurement, protocol: ValidationProtocol) -> tuple[str, ...]:
-    """Why the wrenches with the cap above rho were not all held; empty if they were."""
-    failed = np.flatnonzero(~vertices.held)
+def undecided(vertices: Measurement, limited: np.ndarray, protocol: ValidationProtocol) -> tuple[str, ...]:
+    """Wrenches on the friction limit that were not held: they speak neither for rho nor against it.
+
+    Args:
+        vertices: Every wrench with the cap above rho.
+        limited: Which lie on the friction limit, shape (wrenches,).
+        protocol: Settings.
+    """
+    failed = np.flatnonzero(~vertices.held & limited)
+    if not failed.size:
+        return ()
+    return (
+        f"{failed.size} of {len(vertices.held)} wrenches lie on the friction limit and were not held (the first is "
+        f"wrench {failed[0]}): whatever the force, they need more than {protocol.friction_margin:.0%} of the planned "
+        "friction, so a larger cap gives no margin and MuJoCo cannot decide; plan with more friction or another task",
+    )
+
+
+def unheld(vertices: Measurement, limited: np.ndarray, protocol: ValidationProtocol) -> tuple[str, ...]:
+    """Why the wrenches with the cap above rho were not all held; empty if they were, but for the limited ones."""
+    failed = np.flatnonzero(~vertices.held & ~limited)
     if not failed.size:
         return ()
     worst = int(failed[vertices.slip[failed].argmax()])

@@ -73,7 +73,7 @@ def test_one_direction_proves_a_task_beyond_all_candidates(tmp_path: Path, capsy
     top.write_text("x,y,z\n-0.01,-0.01,0.01\n0,-0.01,0.01\n-0.01,0,0.01\n-0.005,-0.005,0.01\n")
     grasp = tmp_path / "top.grasp.json"
     assert run("grasp-plan", PRISM, "--friction", 0.3, "--candidates", top, "--out", grasp) == 3
-    assert says(capsys.readouterr().out, r"direction \(.*\): no contact can push")
+    assert says(capsys.readouterr().out, r"direction \(.*\): no candidate can push")
     assert run("grasp-verify", grasp) == 0
 
 
@@ -181,7 +181,7 @@ def test_an_edited_truncated_or_newer_grasp_file_is_refused(
     text = golden_file.read_text()
     for content, message in (
         (text[: len(text) // 2], "truncated"),
-        (text.replace('"format_version": 1', '"format_version": 2'), "format version 2"),
+        (text.replace('"format_version": 2', '"format_version": 3'), "format version 3"),
         (text.replace('"rho": 0.669', '"rho": 0.649'), "rho does not agree"),
         ("{}", "not a grasp file"),
     ):

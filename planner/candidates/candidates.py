@@ -1,21 +1,24 @@
 """Candidate contacts, each tied to the part and facet of the object it lies on."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from planner.contacts import Contacts
+from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
 from planner.errors import CandidateError
+from planner.objects.coincident import parts_through
 from planner.objects.graspable import Graspable
 from planner.objects.projection import project
+from planner.source_file import SourceFile
 
 
 @dataclass(frozen=True, kw_only=True)
 class CandidateChoice:
-    """What candidates were asked for, in the words of `grasp-plan`'s options."""
+    """What candidates were asked for, in the words of `grasp-plan`'s options: enough to choose the same ones again."""
 
     candidates: str
-    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points."""
+    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points or of a grasp."""
 
     friction: float | None = None
     """Coulomb coefficient of all contacts; None for each geom's own."""
@@ -28,6 +31,18 @@ class CandidateChoice:
 
     seed: int = 0
     """Seed of evenly spread points."""
+
+    file: SourceFile | None = None
+    """The file of points, where they were listed in one."""
+
+    confirmed: bool | None = None
+    """Whether only those stayed that MuJoCo confirms; None where it is not known."""
+
+    limited: bool | None = None
+    """Whether only those stayed that limits allow, or distances or fingers were limited; None where not known."""
+
+    limits: SourceFile | None = None
+    """The file of these limits, where they came from one."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -46,12 +61,25 @@ class Candidates:
     choice: CandidateChoice | None = None
     """What was asked for; None for candidates made in another way."""
 
+    moved: float = 0.0
+    """How far listed points were moved onto the surface, at most [m]."""
+
     def __len__(self) -> int:
         return len(self.part)
 
     def subset(self, indices: np.ndarray) -> "Candidates":
-        """The candidates at `indices`, shape (m,), in that order."""
-        return replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        """The candidates at `indices`, shape (m,), in that order; why these is then the caller's own business."""
+        return self.kept(indices, limited=None)
+
+    def kept(self, indices: np.ndarray, **how: Any) -> "Candidates":
+        """The candidates at `indices`, shape (m,), which anyone can find again who knows how the choice says.
+
+        Args:
+            indices: Those that stay, in their order.
+            how: Fields of `CandidateChoice` that say why.
+        """
+        left = replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
+        return left.chosen(**how)
 
     def least_friction(self, error: float) -> "Candidates":
         """The candidates with the smallest coefficient of an uncertain friction, mu (1 - error).
@@ -70,8 +98,15 @@ class Candidates:
                 f"the friction error is {error}; it is a share, 0 or more and below 1, for example 0.1"
             )
         contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error))
-        choice = None if self.choice is None else replace(self.choice, friction_error=error)
-        return replace(self, contacts=contacts, choice=choice)
+        return replace(self, contacts=contacts).chosen(friction_error=error)
+
+    def chosen(self, **how: Any) -> "Candidates":
+        """The same candidates, with more known of how they were chosen.
+
+        Args:
+            how: Fields of `CandidateChoice`.
+        """
+        return self if self.choice is None else replace(self, choice=replace(self.choice, **how))
 
 
 def candidates_at(
@@ -84,16 +119,23 @@ def candidates_at(
         points: Shape (n, d) [m].
         part: Part of each point, shape (n,).
         facet: Facet of each point, shape (n,).
-        friction: Coulomb coefficient of all contacts; None takes each geom's own.
+        friction: Coulomb coefficient of all contacts; None takes each geom's own, and where several share the surface
+            the smallest, because any of them may be what the finger touches.
 
     Raises:
-        CandidateError: If a friction coefficient is not positive and finite.
+        CandidateError: If a friction coefficient is out of range.
     """
-    own = np.array([each.friction for each in rigid_object.parts])
-    mu = own[part] if friction is None else np.full(len(part), float(friction))
-    bad = np.flatnonzero(~(np.isfinite(mu) & (mu > 0)))
-    if len(bad):
-        source = "given" if friction is not None else f"of geom '{rigid_object.parts[part[bad[0]]].geom}'"
-        raise CandidateError(f"the friction {source} is {mu[bad[0]]}; it must be positive and finite, set --friction")
     feet, normals = project(rigid_object, points, part, facet)
+    own = np.array([each.friction for each in rigid_object.parts])
+    if friction is None:
+        through = parts_through(rigid_object, feet)
+        through[np.arange(len(part)), part] = True
+        touched = np.where(through, own, np.inf).argmin(axis=1)
+    else:
+        touched, own = part, np.full(len(own), float(friction))
+    mu = own[touched]
+    bad = np.flatnonzero(~possible_friction(mu))
+    if len(bad):
+        source = "given" if friction is not None else f"of geom '{rigid_object.parts[touched[bad[0]]].geom}'"
+        raise CandidateError(f"the friction {source} is {mu[bad[0]]:g}; it must be {ALLOWED_FRICTION}, set --friction")
     return Candidates(contacts=Contacts(points=feet, normals=normals, friction=mu), part=part, facet=facet)

@@ -1,5 +1,6 @@
 """From the user's word to candidates: a number, a grid, the paper's points, or a file of points."""
 
+import logging
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,15 +9,25 @@ from planner.candidates.case3 import case3_points
 from planner.candidates.edges import edge_candidates, edge_grid
 from planner.candidates.even import even_candidates
 from planner.candidates.grid import grid_candidates
-from planner.candidates.listed import listed_candidates, read_points
+from planner.candidates.listed import ListedPoints, grasp_points, listed_candidates, read_points
 from planner.errors import CandidateError
 from planner.objects.graspable import Graspable
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
+from planner.plausibility import friction_doubts, grid_doubts
+from planner.source_file import source_file
+
+logger = logging.getLogger(__name__)
 
 GRID = "grid:"
 CASE3 = "case3"
-ALLOWED = "a number of points (300), grid:SPACING in metres (grid:0.004), case3, or the path of a CSV file of points"
+GRASP = ".json"
+"""Ending of a grasp file, whose contacts are the points."""
+
+ALLOWED = (
+    "a number of points (300), grid:SPACING in metres (grid:0.004), case3, or the path of a CSV file of points or of a "
+    "grasp file"
+)
 
 
 def make_candidates(
@@ -31,7 +42,8 @@ def make_candidates(
     Args:
         rigid_object: The object.
         choice: `300` spreads 300 points evenly, `grid:0.004` lays a grid of 4 mm on every facet or edge, `case3`
-            takes the paper's 217 points, anything else is the path of a CSV file of points.
+            takes the paper's 217 points, anything else is the path of a CSV file of points, or of a grasp file
+            (`.json`), whose contacts are taken.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         seed: Of the points evenly spread in space; in the plane none is needed.
         fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
@@ -42,10 +54,24 @@ def make_candidates(
     """
     count = _integer(choice)
     _check_fingertip(rigid_object, fingertip, spread=count is not None or choice.startswith(GRID))
-    asked = CandidateChoice(candidates=choice, friction=friction, fingertip=fingertip, seed=seed)
+    asked = CandidateChoice(
+        candidates=choice, friction=friction, fingertip=fingertip, seed=seed, confirmed=False, limited=False
+    )
+    if not repeatable(choice):
+        asked = replace(asked, file=source_file(_existing(choice)))
     if isinstance(rigid_object, PlanarObject):
-        return replace(_planar_candidates(rigid_object, choice, count, friction), choice=asked)
-    return replace(_candidates_in_space(rigid_object, asked, count), choice=asked)
+        made = _planar_candidates(rigid_object, choice, count, friction)
+    else:
+        made = _candidates_in_space(rigid_object, asked, count)
+    gridded = grid_doubts(rigid_object, _spacing(choice)) if choice.startswith(GRID) else []
+    for doubt in [*gridded, *friction_doubts(made.contacts.friction)]:
+        logger.warning("%s", doubt)
+    return replace(made, choice=asked)
+
+
+def repeatable(choice: str) -> bool:
+    """Whether a choice names the same candidates of an object for ever, without a file."""
+    return _integer(choice) is not None or choice.startswith(GRID) or choice == CASE3
 
 
 def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, count: int | None) -> Candidates:
@@ -54,8 +80,8 @@ def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, coun
         return even_candidates(rigid_object, count, friction, asked.seed, asked.fingertip)
     if choice.startswith(GRID):
         return grid_candidates(rigid_object, _spacing(choice), friction, asked.fingertip)
-    points = case3_points() if choice == CASE3 else read_points(_existing(choice))
-    return listed_candidates(rigid_object, points, friction)
+    listed = ListedPoints(points=case3_points()) if choice == CASE3 else _listed(choice, 3)
+    return listed_candidates(rigid_object, listed.points, friction, normals=listed.normals)
 
 
 def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, friction: float | None) -> Candidates:
@@ -65,7 +91,14 @@ def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, fri
         return edge_grid(planar, _spacing(choice), friction)
     if choice == CASE3:
         raise CandidateError(f"{CASE3} lists points in space, but the object is planar; give a number or grid:SPACING")
-    return listed_candidates(planar, read_points(_existing(choice), dimension=2), friction)
+    listed = _listed(choice, 2)
+    return listed_candidates(planar, listed.points, friction, normals=listed.normals)
+
+
+def _listed(choice: str, dimension: int) -> ListedPoints:
+    """The points of a CSV file, or the contacts of a grasp file."""
+    path = _existing(choice)
+    return (grasp_points if path.suffix.lower() == GRASP else read_points)(path, dimension)
 
 
 def _check_fingertip(rigid_object: Graspable, fingertip: float | None, *, spread: bool) -> None:

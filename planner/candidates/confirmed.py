@@ -6,14 +6,9 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.errors import CandidateError
+from planner.millimetres import in_mm
 from planner.objects.collision import measure_collision
 from planner.objects.rigid_object import RigidObject
-
-ON_SURFACE = 1e-6
-"""Largest distance from MuJoCo's surface, relative to the object's size."""
-
-SAME_NORMAL = np.deg2rad(0.1)
-"""Largest angle to MuJoCo's normal [rad]."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -55,22 +50,23 @@ def confirmed_candidates(rigid_object: RigidObject, candidates: Candidates) -> C
         ObjectError: If the object's file cannot be compiled any more.
     """
     contacts = candidates.contacts
-    measured = measure_collision(rigid_object, contacts.points, contacts.normals, candidates.part)
-    off = np.abs(measured.heights) > ON_SURFACE * rigid_object.size
-    turned = ~off & (measured.turns > SAME_NORMAL)
-    crowded = ~off & ~turned & ~measured.free
+    touch = measure_collision(rigid_object, contacts.points, contacts.normals, candidates.part)
+    own = (np.arange(len(candidates)), candidates.part)
+    off, heights, turns = ~touch.on_surface[own], touch.gaps[own], touch.turns[own]
+    turned = ~off & ~touch.aligned[own]
+    crowded = ~off & ~turned & touch.walls.any(axis=1)
     kept = np.flatnonzero(~(off | turned | crowded))
     if not len(kept):
         raise CandidateError(
             f"MuJoCo confirms none of the {len(candidates)} candidates: {off.sum()} are off its surface (the first by "
-            f"{measured.heights[0]:.2g} m), {turned.sum()} have another normal, {crowded.sum()} touch another part; "
+            f"{in_mm(heights[0], 2)} mm), {turned.sum()} have another normal, {crowded.sum()} touch another part; "
             "grasp-inspect shows the object as MuJoCo collides it"
         )
     return Confirmed(
-        candidates=candidates.subset(kept),
+        candidates=candidates.kept(kept, confirmed=True),
         off_surface=int(off.sum()),
         turned=int(turned.sum()),
         crowded=int(crowded.sum()),
-        largest_height=float(np.abs(measured.heights[kept]).max()),
-        largest_turn=float(measured.turns[kept].max()),
+        largest_height=float(np.abs(heights[kept]).max()),
+        largest_turn=float(turns[kept].max()),
     )

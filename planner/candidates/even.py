@@ -13,7 +13,7 @@ from planner.errors import CandidateError
 from planner.objects.exposure import reachable
 from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
-from planner.objects.sampling import random_points, whole_surface
+from planner.objects.sampling import finger_surface, random_points
 
 MOST_CANDIDATES = 1_000_000
 
@@ -53,7 +53,7 @@ def _pool(
     rigid_object: RigidObject, size: int, generator: np.random.Generator, fingertip: float | None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """At least `size` exposed random points, with their parts and facets."""
-    triangles, part_of, facet_of = whole_surface(rigid_object)
+    triangles, part_of, facet_of = finger_surface(rigid_object)
     points, parts, facets, found = [], [], [], 0
     for _ in range(MOST_ROUNDS):
         drawn, index = random_points(triangles, size, generator)

@@ -9,6 +9,7 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
+from planner.objects.coincident import finger_parts
 from planner.objects.exposure import reachable
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
@@ -26,7 +27,7 @@ def grid_candidates(
     """Cell centres of every facet, part by part and facet by facet; those inside other parts are left out.
 
     Args:
-        rigid_object: The object; all its parts must be polyhedra.
+        rigid_object: The object; all its parts that fingers may touch must be polyhedra.
         spacing: Wanted edge length of the cells [m].
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
@@ -36,7 +37,8 @@ def grid_candidates(
     """
     check_spacing(rigid_object, spacing)
     facets = []
-    for index, part in enumerate(rigid_object.parts):
+    for index in finger_parts(rigid_object):
+        part = rigid_object.parts[index]
         if not isinstance(part, Polyhedron):
             raise CandidateError(
                 f"a grid needs planar facets, but geom '{part.geom}' is a {type(part).__name__.lower()}; "

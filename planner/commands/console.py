@@ -36,6 +36,7 @@ class Console:
         self._clock = clock
         self._pace = Pace()
         self._what = ""
+        self._doing, self._since = "", clock()
         self._shown = 0
         self._next = clock() + (0 if self._live else PATIENCE)
 
@@ -44,6 +45,7 @@ class Console:
         if not self.quiet:
             self.clear()
             print(text, file=self._words, flush=True)
+            self._next = max(self._next, self._clock() + (0 if self._live else SELDOM))
 
     def write(self, text: str) -> None:
         """What was asked for, on standard output even if quiet."""
@@ -60,8 +62,22 @@ class Console:
         """Whether what was shown is old enough for something that changes many times a second."""
         return self._clock() >= self._next
 
+    @property
+    def live(self) -> bool:
+        """Whether a line is rewritten."""
+        return self._live
+
     def show(self, text: str) -> None:
-        """What is being done now, on terminals only."""
+        """What is being done now: at once on terminals, elsewhere when it has taken a while, see `beat`."""
+        self._doing, self._since = text, self._clock()
+        self._draw(text)
+
+    def beat(self) -> None:
+        """Where nothing is rewritten: say that the work goes on, when nothing was said for a while."""
+        if self._doing and not self._live and self.due:
+            self._progress(f"{self._doing}, {self._clock() - self._since:.0f} s so far")
+
+    def _draw(self, text: str) -> None:
         if self._live:
             shown = text[: _columns() - 1]
             print(f"\r{shown:<{self._shown}}", end="", file=sys.stderr, flush=True)
@@ -72,6 +88,9 @@ class Console:
         """So much of the total is done; `what` names things: "grasps", "simulations (controls)"."""
         left = self._pace.left(done, total, self._clock())
         changed, self._what = what != self._what, what
+        if changed:
+            self._since = self._clock()
+        self._doing = progress_text(what, done, total, None)
         if self.due or (self._live and changed):
             self._progress(progress_text(what, done, total, left))
 
@@ -87,7 +106,7 @@ class Console:
 
     def _progress(self, text: str) -> None:
         if self._live:
-            self.show(text)
+            self._draw(text)
         elif not self.quiet:
             print(f"… {text}", file=sys.stderr, flush=True)
             self._next = self._clock() + SELDOM

@@ -23,13 +23,13 @@ class Options:
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json, with its side file beside it; or a DexGraspBench *.npy, whose pickle is not run."""
+    """A *.grasp.json; or a DexGraspBench *.npy, whose pickle is not run."""
 
     out: Path
     """The file to write."""
 
     wrench: int | None = None
-    """Which wrench's forces to show; by default the critical one."""
+    """Number of the wrench whose forces to show, from 0 as in the file; by default the critical one."""
 
     object: Path | None = None
     """Where the object's file is now, if it has moved."""
@@ -37,7 +37,7 @@ class Options:
 
 def convert_command(options: Options) -> ExitCode:
     """Convert and say what was written."""
-    from planner.errors import OutputError  # here: the help must not wait for trimesh
+    from planner.errors import GraspFileError, OutputError  # here: the help must not wait for trimesh
     from planner.exports.dexgraspbench import read_hand
     from planner.exports.formats import format_of
     from planner.grasp_file import read_grasp
@@ -50,6 +50,11 @@ def convert_command(options: Options) -> ExitCode:
         format.hand(options.out, read_hand(options.file))
     else:
         grasp = read_grasp(options.file)
+        if not grasp.found:
+            raise GraspFileError(
+                f"{options.file} holds no grasp (status {grasp.status}): there is nothing to convert; grasp-report "
+                "shows the candidates and what is proven about them"
+            )
         format.fingertips(options.out, read_grasped_object(grasp, options.object), grasp, options.wrench)
     print(f"wrote       {options.out}")
     return ExitCode.DONE

@@ -3,24 +3,17 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-import tyro
-
+from planner.commands.object_options import ObjectOptions
 from planner.commands.terminal import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
-class Options:
+class Options(ObjectOptions):
     """What does the planner see? The first thing to type when something looks wrong.
 
     Lists the bodies of an object's file, the geoms that collide, mass, size and surface, how well candidates fit, and
     every warning there is.
     """
-
-    object: tyro.conf.Positional[Path]
-    """MJCF file of the object, or the .toml file of a planar one."""
-
-    body: str | None = None
-    """Body to look at, where the file holds several."""
 
     candidates: str = "300"
     """Where fingers may go, as in grasp-plan."""
@@ -53,8 +46,8 @@ def inspect_command(options: Options) -> ExitCode:
     with heard_warnings() as warnings:
         try:
             if options.object.suffix.lower() != PLANAR:
-                print("\n".join(bodies(options.object)))
-            seen = read_object_file(options.object, options.body)
+                print("\n".join(bodies(options.source)))
+            seen = read_object_file(options.source)
             print("\n".join(object_lines(seen) if isinstance(seen, RigidObject) else planar_lines(seen)))
             candidates = make_candidates(seen, options.candidates, None, options.seed, options.fingertip)
             print("\n".join(candidate_lines(seen, candidates, options.fingertip)))

@@ -1,7 +1,6 @@
 """What `grasp-inspect` says."""
 
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -9,25 +8,36 @@ from scipy.spatial import cKDTree
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.exports.mjcf import PRIMITIVES
-from planner.objects.compiled import body_tree, compile_mjcf
+from planner.millimetres import in_mm, point_in_mm
+from planner.objects.coincident import ON_SURFACE, covered_parts
+from planner.objects.compiled import compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
+from planner.objects.model_tree import body_tree
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.planar_object import PlanarObject
+from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from planner.objects.surface_survey import survey_surface
 from planner.objects.visual import visual_difference, warn_of_difference
 
 WORLD = 0
 
+SAME_AXES = 1e-6
+"""Angle below which a body is not turned [rad]."""
 
-def bodies(path: Path) -> Iterator[str]:
+MOST_PAIRS = 5
+"""Pairs of parts with common faces that are named."""
+
+
+def bodies(source: ObjectSource) -> Iterator[str]:
     """The bodies of a file, indented below their parents.
 
     Raises:
         ObjectError: If the file cannot be compiled.
     """
-    model, _ = compile_mjcf(path)
+    model, _ = compile_source(source)
     tree = body_tree(model)
     depths = [0]
     for body in range(1, len(tree.names)):
@@ -36,7 +46,7 @@ def bodies(path: Path) -> Iterator[str]:
         indent = "  " * (depths[body] - 1)
         yield (
             f"body        {indent}{tree.names[body]}: {tree.masses[body]:.4g} kg, "
-            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(tree.joints[body], 'joint')}"
+            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(len(tree.joints[body]), 'joint')}"
         )
     if tree.colliding_geoms[WORLD]:
         yield f"body        world: {_counted(tree.colliding_geoms[WORLD], 'colliding geom')} that no body holds"
@@ -48,11 +58,16 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     volume = union_volume(rigid_object)
     density = f", {rigid_object.mass / volume:.4g} kg per m3 of {1e6 * volume:.4g} cm3 that collide" if volume else ""
     yield f"mass        {rigid_object.mass:.4g} kg{density}"
-    yield f"centre      ({_millimetres(rigid_object.center_of_mass)}) mm, the centre of mass in the body frame"
-    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in rigid_object.extent)} mm"
+    yield f"centre      {point_in_mm(rigid_object.center_of_mass)} mm, the centre of mass in the body frame"
+    origin, turn = point_in_mm(rigid_object.pose_in_file.position), np.rad2deg(rigid_object.pose_in_file.angle)
+    yield f"placed      at {origin} mm in the world of its file, turned by {turn:.3g}°"
+    yield f"size        {' x '.join(in_mm(edge) for edge in rigid_object.extent)} mm"
+    yield f"pose        {_placed(rigid_object.pose_in_file)}"
     width = max(len(part.geom) for part in rigid_object.parts)
-    for part in rigid_object.parts:
-        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}"
+    for number, part in enumerate(rigid_object.parts):
+        apart = "; not for fingers (--body)" if number in rigid_object.untouchable else ""
+        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}{apart}"
+    yield from _merged(rigid_object)
     difference = visual_difference(rigid_object)
     yield f"visual      {difference or 'no mesh to compare with what collides'}"
     warn_of_difference(rigid_object, difference)
@@ -63,10 +78,10 @@ def planar_lines(planar: PlanarObject) -> Iterator[str]:
     outline = planar.outline
     yield f"object      {planar.body!r}, planar, sha256 {planar.sha256[:12]}…"
     yield f"mass        {planar.mass:.4g} kg"
-    yield f"centre      ({_millimetres(planar.center_of_mass)}) mm, the centre of mass in the body frame"
-    yield f"size        {' x '.join(f'{1000 * edge:.4g}' for edge in planar.extent)} mm"
+    yield f"centre      {point_in_mm(planar.center_of_mass)} mm, the centre of mass in the body frame"
+    yield f"size        {' x '.join(in_mm(edge) for edge in planar.extent)} mm"
     yield (
-        f"outline     {len(outline.corners)} corners, perimeter {1000 * outline.lengths.sum():.4g} mm, "
+        f"outline     {len(outline.corners)} corners, perimeter {in_mm(outline.lengths.sum())} mm, "
         f"friction {outline.friction:g}"
     )
 
@@ -80,27 +95,64 @@ def candidate_lines(seen: Graspable, candidates: Candidates, fingertip: float | 
             f"surface     {1e4 * survey.outer:.4g} cm2 outside, of {1e4 * survey.whole:.4g} cm2 on all parts; "
             f"{1e4 * survey.reachable:.4g} cm2 leave room for a fingertip"
         )
+        yield from _flush(seen, survey.shared)
         yield (
             f"unreachable {survey.unreachable_samples} of {survey.samples} random points on the parts: inside or too "
             "near other parts"
         )
-    yield f"candidates  {len(candidates)}, {1000 * _spacing(points):.3g} mm apart"
+    yield f"candidates  {len(candidates)}, {in_mm(_spacing(points), 3)} mm apart"
     if isinstance(seen, RigidObject):
         confirmed = confirmed_candidates(seen, candidates)
         yield (
-            f"mujoco      confirms {len(confirmed.candidates)} of them, to {confirmed.largest_height:.1g} m and "
-            f"{np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
+            f"mujoco      confirms {len(confirmed.candidates)} of them, to {in_mm(confirmed.largest_height, 1)} mm "
+            f"and {np.rad2deg(confirmed.largest_turn):.1g}°; {confirmed.off_surface} are off its surface, "
             f"{confirmed.turned} have another normal, {confirmed.crowded} touch another part"
         )
+
+
+def _merged(rigid_object: RigidObject) -> Iterator[str]:
+    """Geoms that add nothing to the union."""
+    parts, size = rigid_object.parts, rigid_object.size
+    for part, other in covered_parts(rigid_object).items():
+        pair = f"{parts[min(part, other)].geom} and {parts[max(part, other)].geom}"
+        if np.abs(parts[part].bounds() - parts[other].bounds()).max() <= ON_SURFACE * size:
+            yield f"merged      geoms {pair} coincide: planned on as one{_slipperier(parts[part], parts[other])}"
+        else:
+            yield f"merged      geom {parts[part].geom} lies inside {parts[other].geom}: planned on as one"
+
+
+def _flush(rigid_object: RigidObject, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
+    """Geoms that share faces of the outside."""
+    for first, second in ((rigid_object.parts[one], rigid_object.parts[two]) for one, two in pairs[:MOST_PAIRS]):
+        yield (
+            f"merged      faces of {first.geom} and {second.geom} coincide: planned on as one surface"
+            f"{_slipperier(first, second)}"
+        )
+    if len(pairs) > MOST_PAIRS:
+        yield f"merged      and faces of {len(pairs) - MOST_PAIRS} more pairs"
+
+
+def _slipperier(first: ConvexPart, second: ConvexPart) -> str:
+    """Whose friction counts where two parts share a surface."""
+    if first.friction == second.friction:
+        return ""
+    return f", with the smaller friction, {min(first.friction, second.friction):g}"
 
 
 def _shape(part: ConvexPart) -> str:
     """Type and size of a part; MuJoCo's size, of half lengths and radii, for what is no mesh."""
     if isinstance(part, PRIMITIVES):
-        return f"{part.mjcf_type} of size {' '.join(f'{1000 * length:.4g}' for length in part.size)} mm"
-    edges = " x ".join(f"{1000 * edge:.4g}" for edge in np.ptp(part.bounds(), axis=0))
+        return f"{part.mjcf_type} of size {' '.join(in_mm(length) for length in part.size)} mm"
+    edges = " x ".join(in_mm(edge) for edge in np.ptp(part.bounds(), axis=0))
     facets = f", {len(part.polygons)} facets" if isinstance(part, Polyhedron) else ""
     return f"hull of {edges} mm{facets}"
+
+
+def _placed(pose: Pose) -> str:
+    """Where the file places the body frame, in which everything else is said."""
+    axis = ", ".join(f"{coordinate + 0.0:.4g}" for coordinate in pose.axis)
+    turned = f"turned by {np.rad2deg(pose.angle):.4g}° about ({axis})" if pose.angle > SAME_AXES else "not turned"
+    return f"the body frame lies at {point_in_mm(pose.position)} mm in the world of the file, {turned}"
 
 
 def _counted(number: int, noun: str) -> str:
@@ -113,7 +165,3 @@ def _spacing(points: np.ndarray) -> float:
         return 0.0
     distances, _ = cKDTree(points).query(points, k=2)
     return float(np.median(distances[:, 1]))
-
-
-def _millimetres(point: np.ndarray) -> str:
-    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)

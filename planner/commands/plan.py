@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 
 from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, Interruption, as_typed, parse, run, write_json
+from planner.commands.interruption import Interruption, interruption
+from planner.commands.object_options import ObjectOptions
+from planner.commands.terminal import ExitCode, as_typed, parse, run, write_json
 
 if TYPE_CHECKING:
     from planner.candidates.candidates import Candidates
@@ -18,18 +20,16 @@ if TYPE_CHECKING:
     from planner.limits.kinds import Kinds
     from planner.limits.limits import Limits
     from planner.objects.graspable import Graspable
+    from planner.objects.object_source import ObjectSource
 
 
 @dataclass(frozen=True, kw_only=True)
-class Options:
+class Options(ObjectOptions):
     """Where should the fingers go, and how strong must they be?
 
     Chooses the contacts on an MJCF object that resist a task with the smallest fingertip force rho, proves that no
     other choice needs less, and writes a grasp file.
     """
-
-    object: tyro.conf.Positional[Path]
-    """MJCF file of the object: what MuJoCo collides is what is planned on. Or the .toml file of a planar one."""
 
     fingers: int = 3
     """How many fingers, 1 to 8."""
@@ -43,24 +43,17 @@ class Options:
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
     is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
-    along each axis; anything else is a TOML file."""
+    along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
+    frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
     candidates: str = "300"
     """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
     facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
-    points x,y,z (planar: x,y)."""
+    points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
+    *.grasp.json, whose contacts are taken."""
 
     out: Path | None = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
-
-    body: str | None = None
-    """Body to grasp, where the file holds several."""
-
-    mass: float | None = None
-    """Mass of the object in kg, where its file has none or a wrong one."""
-
-    com: tuple[float, float, float] | None = None
-    """Centre of mass in the body frame in metres, where the file's is wrong."""
 
     fingertip: float | None = None
     """Radius in metres of the fingertip that must fit beside other parts' walls; by default 0.5 % of the object's
@@ -88,7 +81,8 @@ class Options:
     """Least distance in metres of some contact of each grasp to all contacts of every grasp before it."""
 
     time_limit: float = inf
-    """Seconds after which to stop with the best grasp and the gap it has."""
+    """Seconds for everything, reading and writing too, after which to stop with the best grasp and the gap it has. The
+    clock starts when the program is loaded, which takes a few seconds itself."""
 
     seed: int = 0
     """Seed of the even candidates and of the search's starts."""
@@ -114,17 +108,19 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     from planner.search.result import Status
 
     out = options.out or Path(options.object.stem + SUFFIX)
+    require_writable(numbered(out, options.keep))  # of all names the longest
     require_writable(out)
-    report = Report(console)
-    with SearchLog(console, options.log_json) as log:
-        grasps = _plan(options, out.parent, report, log, console)
+    report, ending = Report(console), interruption()
+    with SearchLog(console, options.log_json, ending) as log:
+        grasps = _plan(options, out.parent, report, log, console, ending)
+        ending.keep()
         files = [numbered(out, number) for number in range(1, len(grasps) + 1)]
         for file, each in zip(files, grasps, strict=True):
             write_grasp(file, replace(each, command=command))
         grasp = grasps[0]
         log.end(grasp.status)
     report.grasp(grasp, out)
-    report.others(grasps[1:], files[1:])
+    report.others(grasps[1:], files[1:], options.apart)
     if options.json:
         write_json(console, plan_summary(files))
     if grasp.status is Status.OPTIMAL:
@@ -132,11 +128,12 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT
 
 
-def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console) -> "tuple[Grasp, ...]":
+def _plan(
+    options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console, ending: Interruption
+) -> "tuple[Grasp, ...]":
     """Read the object, choose the candidates and search."""
     from planner.candidates.choice import make_candidates
     from planner.candidates.confirmed import confirmed_candidates
-    from planner.objects.given_mass import given_mass
     from planner.objects.object_file import read_object_file
     from planner.objects.rigid_object import RigidObject
     from planner.objects.visual import visual_difference, warn_of_difference
@@ -152,9 +149,10 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         apart=options.apart,
         seed=options.seed,
     )
-    file = _decomposed(options, folder, report, console) if options.decompose else options.object
-    console.show(f"reading {file}")
-    rigid_object = read_object_file(file, options.body, given_mass(options.mass, options.com))
+    ending.start_clock(options.time_limit)
+    source = _decomposed(options, folder, report, console) if options.decompose else options.source
+    console.show(f"reading {source.file}")
+    rigid_object = read_object_file(source)
     task = make_task(options.task, rigid_object)
     console.show(f"choosing candidates: {options.candidates}")
     candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed, options.fingertip)
@@ -169,17 +167,18 @@ def _plan(options: Options, folder: Path, report: "Report", log: "SearchLog", co
         warn_of_difference(rigid_object, visual_difference(rigid_object))
     limits, kinds = _within_limits(options, rigid_object, candidates, report)
     log.header()
-    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(Interruption()))
+    search = replace(search, time_limit=ending.left)
+    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(ending.asked))
 
 
-def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> Path:
-    """The file to plan on in place of the object's own."""
+def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> "ObjectSource":
+    """What to plan on in place of the object's own file."""
     from planner.decompose import decompose
 
     console.show("cutting meshes into convex parts")
-    file, parts = decompose(options.object, options.body, folder)
-    report.decomposed(file, parts)
-    return file
+    source, parts = decompose(options.source, folder)
+    report.decomposed(source.file, parts)
+    return source
 
 
 def _within_limits(
@@ -190,12 +189,17 @@ def _within_limits(
     from planner.limits.limits import Limits
     from planner.limits.limits_file import read_limits
     from planner.limits.restricted import restricted
+    from planner.source_file import source_file
 
-    limits = read_limits(options.limits, rigid_object) if options.limits else Limits()
+    limits = Limits()
+    if options.limits:
+        limits = read_limits(options.limits, rigid_object)
+        candidates = candidates.chosen(limits=source_file(options.limits))
     allowed = restricted(rigid_object, candidates, limits)
     report.restricted(allowed)
     kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
     report.kinds(kinds)
+    report.choice(len(allowed.candidates), options.fingers)
     return limits, kinds
 
 

@@ -1,5 +1,6 @@
 """What `grasp-plan` says while it works and when it is done."""
 
+import logging
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -9,13 +10,21 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
 from planner.commands.console import Console
 from planner.grasp import Grasp
+from planner.infeasibility import reasons, remedies
 from planner.limits.kinds import Kinds
 from planner.limits.restricted import Restricted, removals
+from planner.millimetres import LEAST, in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
+from planner.plausibility import candidate_doubts
 from planner.search.result import Status
 from planner.task import Task
+
+logger = logging.getLogger(__name__)
+
+SEEN_TURN = np.deg2rad(0.1)
+"""Least turn of the body in its file that is worth a word [rad]."""
 
 
 class Report:
@@ -26,14 +35,31 @@ class Report:
 
     def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
         """What is about to be searched."""
-        extent = " x ".join(f"{1000 * edge:.4g}" for edge in rigid_object.extent)
+        extent = " x ".join(in_mm(edge) for edge in rigid_object.extent)
         self._say(
             f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
         )
         if isinstance(rigid_object, RigidObject) and not rigid_object.given.nothing:
             self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
-        self._say(f"task        {task.name}: {len(task.wrenches)} wrenches")
+        if isinstance(rigid_object, RigidObject):
+            self._as_read(rigid_object)
+        self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
+        if candidates.moved > LEAST:
+            self._say(f"moved       onto the surface by at most {in_mm(candidates.moved, 2)} mm")
+
+    def _as_read(self, rigid_object: RigidObject) -> None:
+        """Joints that are frozen, and parts that are only obstacles."""
+        source = rigid_object.source
+        if source.locked_joints:
+            where = "qpos0" if source.keyframe is None else f"keyframe '{source.keyframe}'"
+            self._say(f"locked      {', '.join(source.locked_joints)}: one rigid object, its joints as at {where}")
+        if rigid_object.untouchable:
+            total = len(rigid_object.parts)
+            self._say(
+                f"touched     {total - len(rigid_object.untouchable)} of {total} geoms, those of body "
+                f"'{rigid_object.body}'; the others are of the object, and obstacles"
+            )
 
     def decomposed(self, file: Path, parts: int) -> None:
         """What is planned on in place of the object's file."""
@@ -56,6 +82,11 @@ class Report:
                 f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
             )
 
+    def choice(self, candidates: int, fingers: int) -> None:
+        """Whether there is much to choose from."""
+        for doubt in candidate_doubts(candidates, fingers):
+            logger.warning("%s", doubt)
+
     def kinds(self, kinds: Kinds) -> None:
         """Fingers that differ, if they do."""
         for kind, share in enumerate(kinds.kinds):
@@ -73,12 +104,14 @@ class Report:
             self._say("no grasp found yet; allow more time")
         else:
             self._contacts(grasp)
-        self._say(f"wrote       {out} and {out.with_suffix('.npz').name}")
+        self._say(f"wrote       {out}")
 
-    def others(self, grasps: Sequence[Grasp], files: Sequence[Path]) -> None:
-        """The grasps after the best."""
+    def others(self, grasps: Sequence[Grasp], files: Sequence[Path], apart: float) -> None:
+        """The grasps after the best, and what is proven of them."""
         for number, (grasp, file) in enumerate(zip(grasps, files, strict=True), start=2):
-            self._say(f"grasp {number:<5d} rho {grasp.rho:.6g} N (gap {grasp.gap:.3%}), {file}")
+            self._say(f"grasp {number:<5d} rho {grasp.rho:.6g} N ({grasp.gap:.3%} above the bound), {file}")
+        if grasps:
+            self._say(f"their proof {_proof_of_others(grasps[0], apart)}")
 
     def _contacts(self, grasp: Grasp) -> None:
         strengths = grasp.contacts.strengths
@@ -88,6 +121,9 @@ class Report:
             f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
             f"({grasp.search.subsets:,} subsets) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
+        self._checked(grasp)
+        grip = grasp.grip
+        self._say(f"grip        {grip:.6g} N: the largest normal force of a finger (what gripper catalogues state)")
         contacts = zip(grasp.contacts.points, grasp.geoms, strengths, strict=True)
         for number, (point, geom, strength) in enumerate(contacts, start=1):
             position = " ".join(f"{1000 * coordinate:9.3f}" for coordinate in point)
@@ -99,14 +135,42 @@ class Report:
             f"infeasible  proven: no {grasp.search.fingers} of the {grasp.search.candidates} candidates resist "
             f"the task with less than {grasp.lower_bound:.3g} N per finger"
         )
-        if len(grasp.certificate.cuts) == 1:
-            direction = " ".join(f"{value:.3g}" for value in grasp.certificate.cuts[0])
-            self._say(f"direction   ({direction}): no contact can push the object along it, and the task asks for it")
-        elif grasp.search.fingers == 2 and not len(grasp.certificate.cuts):
-            self._say("direction   the moment about the line through the two contacts, whichever they are")
+        self._checked(grasp)
+        for reason in reasons(grasp):
+            self._say(f"because     {reason}")
+        for remedy in remedies(grasp):
+            self._say(f"may help    {remedy}")
+
+    def _checked(self, grasp: Grasp) -> None:
+        """How much of the proof was checked at once."""
+        check = grasp.proof_check
+        if check is not None:
+            rest = "" if check.share == 1 else "; grasp-verify checks all"
+            share = "all subsets" if check.share == 1 else f"{_percent(check.share)} of the subsets"
+            self._say(f"checked     {share}, by the code of grasp-verify, in {check.seconds:.2g} s{rest}")
 
     def _say(self, text: str = "") -> None:
         self._console.say(text)
+
+
+def _percent(share: float) -> str:
+    """A share below one, never rounded up to all of it."""
+    return f"{min(100 * share, 99.9):.3g} %"
+
+
+def _proof_of_others(grasp: Grasp, apart: float) -> str:
+    """What is known of the grasps after the best, by whom."""
+    bound = f"the files prove that no choice at all needs less than {grasp.lower_bound:.6g} N"
+    within = f"within the gap of {grasp.search.gap:.3g}"
+    if apart > 0:
+        found = (
+            f"that each is the best of those {1000 * apart:g} mm from the grasps before it, {within}, the search found"
+        )
+    else:
+        found = f"that none better is left out, {within}, the search found"
+    if grasp.search.trace and grasp.search.trace[-1].open:
+        found = "others may be left out, the search was stopped"
+    return f"{bound}; {found}"
 
 
 def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
@@ -118,12 +182,16 @@ def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
     return f"{spread} (the object's own)" if (friction == own).all() else spread
 
 
+def _wrenches(rigid_object: Graspable, task: Task) -> str:
+    """How many there are, and in which frame, with how far the file turns it."""
+    number = f"{len(task.wrenches)} wrench{'' if len(task.wrenches) == 1 else 'es'}"
+    turn = rigid_object.pose_in_file.angle if isinstance(rigid_object, RigidObject) else 0.0
+    turned = f", which the file turns by {np.rad2deg(turn):.3g}°" if turn > SEEN_TURN else ""
+    return f"{number} in the body frame{turned}, moments about {point_in_mm(task.reference_point)} mm"
+
+
 def _given(given: GivenMass) -> str:
     """The mass properties that the user gave."""
     mass = [] if given.mass is None else [f"mass {given.mass:g} kg"]
     center = given.center_of_mass
-    return ", ".join(mass + ([] if center is None else [f"centre of mass ({_millimetres(center)}) mm"]))
-
-
-def _millimetres(point: np.ndarray) -> str:
-    return ", ".join(f"{1000 * coordinate:.4g}" for coordinate in point)
+    return ", ".join(mass + ([] if center is None else [f"centre of mass {point_in_mm(center)} mm"]))

@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 
 from planner.grasp_document import GraspDocument
-from planner.grasp_file import certificate_path
 
 
 def plan_summary(files: Sequence[Path]) -> dict[str, Any]:
@@ -33,6 +32,5 @@ def plan_summary(files: Sequence[Path]) -> dict[str, Any]:
         "subsets": document.search.subsets,
         "seconds": document.search.seconds,
         "file": str(files[0]),
-        "side_file": str(certificate_path(files[0])),
         "others": [{"rho": other.rho, "file": str(file)} for other, file in zip(others, files[1:], strict=True)],
     }

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import asdict, replace
+from math import inf
 from pathlib import Path
 from time import perf_counter
 from types import TracebackType
@@ -10,6 +11,7 @@ from typing import BinaryIO
 import msgspec
 
 from planner.commands.console import Console
+from planner.commands.interruption import Interruption
 from planner.errors import OutputError
 from planner.search.result import Progress, Status
 
@@ -31,21 +33,31 @@ def row(line: Progress) -> str:
     )
 
 
+def in_words(line: Progress) -> str:
+    """A line that stands alone."""
+    grasp = f"best grasp {line.incumbent:.5g} N (gap {line.gap:.2%})" if line.incumbent < inf else "no grasp yet"
+    return (
+        f"searching: {line.nodes:,} nodes, {line.open:,} open, {grasp}, "
+        f"lower bound {line.lower_bound:.5g} N, {line.seconds:.0f} s"
+    )
+
+
 class SearchLog:
     """Hears the search as often as it speaks, and says ever less of it; the last line is never left out."""
 
-    def __init__(self, console: Console, file: Path | None) -> None:
+    def __init__(self, console: Console, file: Path | None, ending: Interruption | None = None) -> None:
         """A log.
 
         Args:
             console: Where the log is shown.
+            ending: Told as soon as there is a grasp to keep.
             file: Where JSON lines go, if anywhere: one object per line, flushed at once, null for what is not known
                 yet. The last one has the status of the search.
 
         Raises:
             OutputError: When the file cannot be written.
         """
-        self._console, self._path = console, file
+        self._console, self._path, self._ending = console, file, ending or Interruption()
         self._file: BinaryIO | None = None if file is None else _opened(file)
         self._began = self._heard = perf_counter()
         self._last: Progress | None = None
@@ -56,10 +68,13 @@ class SearchLog:
         """The head of the log; the search begins."""
         self._console.say()
         self._console.say(HEADER)
+        self._console.show("searching")
         self._began = perf_counter()
 
     def observe(self, line: Progress) -> None:
         """What the search has to say."""
+        if line.incumbent < inf:
+            self._ending.keep()
         self._last, self._heard = line, perf_counter()
         last = self._printed
         due = last is None or line.incumbent < last.incumbent or line.seconds >= 2 * last.seconds + 0.5
@@ -69,11 +84,11 @@ class SearchLog:
             self._record(line, None)
 
     def asked(self, stop: Callable[[], bool]) -> Callable[[], bool]:
-        """The same question to the user, asked again and again; on a terminal the time goes on meanwhile."""
+        """The same question to the user, asked again and again; meanwhile the state of the search is shown as it is."""
 
         def question() -> bool:
             if self._console.due:
-                self._console.show(self._now())
+                self._console.announce(self._now())
             return stop()
 
         return question
@@ -98,7 +113,8 @@ class SearchLog:
         now = perf_counter()
         if self._last is None:
             return f"first grasps, {now - self._began:.1f} s"
-        return row(replace(self._last, seconds=self._last.seconds + now - self._heard))
+        line = replace(self._last, seconds=self._last.seconds + now - self._heard)
+        return row(line) if self._console.live else in_words(line)
 
     def _print(self, line: Progress) -> None:
         self._console.say(row(line))

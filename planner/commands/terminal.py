@@ -7,13 +7,15 @@ import shlex
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from enum import IntEnum
 from typing import TypeVar
 
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.heartbeat import heartbeat
+from planner.commands.interruption import INTERRUPTED
 from planner.errors import RhograspError
 
 
@@ -34,14 +36,6 @@ class ExitCode(IntEnum):
     """The verdict is fail."""
 
 
-STANDARD_ERROR = 2
-"""As a file descriptor."""
-
-STOPPING = "stopping; press Ctrl-C again to leave without a result"
-
-INTERRUPTED = 128 + signal.SIGINT
-"""What shells expect of a program that Ctrl-C has killed."""
-
 EXIT_CODES = (
     "exit codes: 0 done and proven, or verdict pass · 1 error in the input or environment · 2 usage · "
     "3 proven infeasible · 4 stopped at a limit, gap open · 5 verdict fail"
@@ -57,6 +51,8 @@ def parse(options: type[Options], program: str) -> Options:
         return tyro.cli(options, prog=program, description=f"{inspect.cleandoc(options.__doc__ or '')}\n\n{EXIT_CODES}")
     except BrokenPipeError:
         sys.exit(_unread())
+    except OSError as error:
+        sys.exit(_unwritable(Console(), error))
 
 
 def write_json(console: Console, document: object) -> None:
@@ -71,24 +67,6 @@ def as_typed(program: str) -> str:
     return shlex.join([program, *sys.argv[1:]])
 
 
-class Interruption:
-    """Turns the first Ctrl-C into a request to stop, so that work in progress is kept; the second one kills."""
-
-    def __init__(self) -> None:
-        self._requested = False
-        signal.signal(signal.SIGINT, self._request)
-
-    def __call__(self) -> bool:
-        """Whether the user has asked to stop."""
-        return self._requested
-
-    def _request(self, *_: object) -> None:
-        self._requested = True
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        below = "\n" if os.isatty(STANDARD_ERROR) else ""  # leaves the status line as it was
-        os.write(STANDARD_ERROR, f"{below}{STOPPING}\n".encode())  # print may be what this signal interrupts
-
-
 def run(command: Callable[[], ExitCode], console: Console | None = None) -> None:
     """Run a command and leave with its exit code; an expected error becomes one clear line.
 
@@ -98,7 +76,7 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
     """
     console = console or Console()
     code: int
-    with _heard_logs(console):
+    with _heard_logs(console), heartbeat(console):
         try:
             code = command()
         except RhograspError as error:
@@ -108,6 +86,8 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
             code = INTERRUPTED
         except BrokenPipeError:
             code = _unread()
+        except OSError as error:
+            code = _unwritable(console, error)
         finally:
             console.clear()
     sys.exit(code)
@@ -115,8 +95,22 @@ def run(command: Callable[[], ExitCode], console: Console | None = None) -> None
 
 def _unread() -> int:
     """Whoever read standard output, `head` for example, has seen enough: say no more, and what shells expect."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _say_no_more()
     return 128 + signal.SIGPIPE
+
+
+def _unwritable(console: Console, error: OSError) -> int:
+    """The system refuses: a full device as standard output, above all; one line, if that can be written."""
+    _say_no_more()
+    where = "standard output" if error.filename is None else f"'{error.filename}'"
+    with suppress(OSError):
+        console.complain(f"error: {where}: {error.strerror or error}")
+    return ExitCode.ERROR
+
+
+def _say_no_more() -> None:
+    """Let what was printed and not yet written go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextmanager

@@ -36,9 +36,7 @@ def grasp_scene(rigid_object: Graspable, grasp: Grasp, wrench: int) -> trimesh.S
         GraspFileError: When the grasp has no contacts or no such wrench.
     """
     if not grasp.found or not 0 <= wrench < len(grasp.forces):
-        raise GraspFileError(
-            f"wrench {wrench} of a grasp with forces for {len(grasp.forces)} wrenches; nothing to draw"
-        )
+        raise GraspFileError(f"wrench {wrench} of a grasp with forces for wrenches 0 to {len(grasp.forces) - 1}")
     rigid_object, grasp = in_space(rigid_object, grasp)
     size = rigid_object.size
     scene = trimesh.Scene()

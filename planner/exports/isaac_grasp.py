@@ -43,7 +43,7 @@ def write_fingertips(path: Path, rigid_object: Graspable, grasp: Grasp, wrench: 
     """
     shown = wrench if wrench is not None else (grasp.critical_wrench if grasp.found else -1)
     if not grasp.found or not 0 <= shown < len(grasp.forces):
-        raise GraspFileError(f"wrench {shown} of a grasp with forces for {len(grasp.forces)} wrenches; allowed: 0 up")
+        raise GraspFileError(f"wrench {shown} of a grasp with forces for wrenches 0 to {len(grasp.forces) - 1}")
     _, grasp = in_space(rigid_object, grasp)
     contacts = grasp.contacts
     quaternions = Rotation.from_matrix(contact_frames(contacts.normals)).as_quat(scalar_first=True)

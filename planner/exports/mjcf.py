@@ -24,6 +24,9 @@ PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule
 SEEN = "seen"
 """Name of the mesh that is only seen."""
 
+REST = "rest"
+"""Ends the name of the body around the one that fingers may touch."""
+
 
 def write_mjcf(path: Path, rigid_object: RigidObject, seen: np.ndarray) -> None:
     """Write an object so that reading it gives the same parts, in the same body frame.
@@ -38,16 +41,20 @@ def write_mjcf(path: Path, rigid_object: RigidObject, seen: np.ndarray) -> None:
     """
     root = ElementTree.Element("mujoco", model=rigid_object.body)
     assets = ElementTree.SubElement(root, "asset")
-    body = ElementTree.SubElement(ElementTree.SubElement(root, "worldbody"), "body", name=rigid_object.body)
+    outer = ElementTree.SubElement(ElementTree.SubElement(root, "worldbody"), "body", name=rigid_object.body)
     if rigid_object.mass > 0:
-        ElementTree.SubElement(body, "freejoint")  # MuJoCo lets nothing without mass move
-        _add_inertial(body, rigid_object)
+        ElementTree.SubElement(outer, "freejoint")  # MuJoCo lets nothing without mass move
+        _add_inertial(outer, rigid_object)
+    body = outer
+    if rigid_object.untouchable:  # fingers may touch a body and what is fixed below it, in the same place
+        outer.set("name", f"{rigid_object.body}/{REST}")
+        body = ElementTree.SubElement(outer, "body", name=rigid_object.body)
     if len(seen):
         vertices, faces = np.unique(seen.reshape(-1, 3), axis=0, return_inverse=True)
         _add_mesh(assets, SEEN, vertices, faces.reshape(-1, 3))
         ElementTree.SubElement(body, "geom", type="mesh", mesh=SEEN, contype="0", conaffinity="0", group="2", mass="0")
     for number, part in enumerate(rigid_object.parts):
-        _add_part(assets, body, number, part)
+        _add_part(assets, outer if number in rigid_object.untouchable else body, number, part)
     ElementTree.indent(root)
     write_atomically(path, ElementTree.tostring(root, encoding="utf-8") + b"\n")
 

@@ -12,6 +12,7 @@ import numpy as np
 from planner.exports.shaded_surface import shaded_surface
 from planner.exports.sharp_edges import sharp_edges
 from planner.grasp import Grasp
+from planner.infeasibility import hopeless_cut, reasons, remedies
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from planner.search.result import Status
 
@@ -54,10 +55,16 @@ def report_data(
         "phi": grasp.phi.tolist(),
         "forces": grasp.forces.tolist(),
         "rho": _finite(grasp.rho),
+        "grip": _finite(grasp.grip),
         "lower_bound": grasp.lower_bound,
         "gap": _finite(grasp.gap),
         "status": plain_status(grasp),
-        "proof": {"cuts": len(grasp.certificate.cuts), "hopeless_wrench": hopeless_wrench(grasp)},
+        "proof": {
+            "cuts": len(grasp.certificate.cuts),
+            "hopeless_wrench": hopeless_wrench(grasp),
+            "reasons": reasons(grasp) if grasp.status is Status.INFEASIBLE else [],
+            "remedies": remedies(grasp) if grasp.status is Status.INFEASIBLE else [],
+        },
         "search": asdict(grasp.search),
         "candidate_choice": None if grasp.candidate_choice is None else asdict(grasp.candidate_choice),
         "command": grasp.command,
@@ -73,14 +80,9 @@ def plain_status(grasp: Grasp) -> str:
 
 
 def hopeless_wrench(grasp: Grasp) -> int | None:
-    """The wrench that no candidates can balance, where a single cut proves that: the one that asks most along it.
-
-    Every candidate can do nothing along such a cut lambda, and wrench j asks for -lambda . w_j.
-    """
-    cuts = grasp.certificate.cuts
-    if grasp.status is not Status.INFEASIBLE or len(cuts) != 1:
-        return None
-    return int((-grasp.task.wrenches @ cuts[0]).argmax())
+    """The wrench that no candidates can balance, where a single cut proves that: the one that asks most along it."""
+    cut = hopeless_cut(grasp)
+    return None if cut is None else int((-grasp.task.wrenches @ cut).argmax())
 
 
 def _finite(value: float) -> float | None:

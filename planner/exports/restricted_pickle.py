@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.bounded_read import read_bounded
 from planner.errors import GraspFileError
 
 MAX_BYTES = 2**26
@@ -50,13 +51,7 @@ def read_pickled_dictionary(path: Path) -> dict[str, Any]:
     Raises:
         GraspFileError: When the file cannot be read, is too large, or holds anything but plain values and arrays.
     """
-    try:
-        with path.open("rb") as stream:
-            content = io.BytesIO(stream.read(MAX_BYTES + 1))
-    except OSError as error:
-        raise GraspFileError(f"cannot read {path}: {error.strerror}") from error
-    if content.getbuffer().nbytes > MAX_BYTES:
-        raise GraspFileError(f"{path} is larger than {MAX_BYTES} bytes: not a grasp")
+    content = io.BytesIO(read_bounded(path, MAX_BYTES, "grasp", GraspFileError))
     try:
         version = np.lib.format.read_magic(content)
         if version != (1, 0):

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from planner.contacts import grasp_maps, wrench_dimension, wrench_scale
+from planner.contacts import wrench_dimension, wrench_scale
 from planner.errors import SolverError
 from planner.forces.problem import ForceProblem, ForceSolution
 
@@ -78,9 +78,9 @@ class CvxpyForces(ABC):
         load = scale * problem.wrench
         unit = float(np.linalg.norm(load)) or 1.0  # [N]
         self._wrench.value = load / unit
-        maps = grasp_maps(contacts.points, problem.reference_point)
+        arms = contacts.points - problem.reference_point
         for finger, normal in enumerate(contacts.normals):
-            self._maps[finger].value = scale[:, None] * maps[finger]
+            self._maps[finger].value = scale[:, None] * _wrench_map(arms[finger])
             self._tangents[finger].value = self.tangent_map(normal)
             self._slopes[finger].value = contacts.friction[finger] * normal
             self._strengths[finger].value = contacts.strengths[finger]
@@ -108,3 +108,13 @@ class CvxpyForces(ABC):
         if status not in ("optimal", "optimal_inaccurate", "infeasible", "infeasible_inaccurate"):
             raise SolverError(f"CVXPY stopped with status {status!r} on a force problem of {len(self._forces)} fingers")
         return status.startswith("optimal")
+
+
+def _wrench_map(arm: np.ndarray) -> np.ndarray:
+    """(I; [r]x): a force f at the arm r is the wrench (f, r x f), shape (D, d); derived here, not as the search does.
+
+    Column k is the wrench of the unit force along axis k.
+    """
+    axes = np.eye(len(arm))
+    moments = arm[0] * axes[:, 1] - arm[1] * axes[:, 0] if len(arm) == 2 else np.cross(arm, axes).T
+    return np.vstack([axes, moments])

@@ -19,6 +19,7 @@ import numpy as np
 from scipy import sparse
 
 from planner.contacts import contact_frames, wrench_dimension
+from planner.forces.quiet_highs import QuietHighs
 
 SIDES = 16
 """L of the paper's examples."""
@@ -27,7 +28,6 @@ SMALLEST_PART = 1e-7
 MOST_ITERATIONS = 10_000
 """Bound on the simplex method, which takes six iterations on average and twenty at most for three fingers."""
 OPTIONS = {
-    "output_flag": False,
     "threads": 1,
     "presolve": "off",
     "simplex_strategy": 4,  # primal
@@ -107,7 +107,7 @@ class RelaxedForces:
             *(matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), self._coefficients),
             np.zeros(columns, dtype=np.int32),  # no integers
         )
-        self._solver = highspy.Highs()
+        self._solver = QuietHighs()
         for option, value in OPTIONS.items():
             self._solver.setOptionValue(option, value)
 

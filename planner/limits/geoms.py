@@ -6,6 +6,7 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.limits.limits import Limits
+from planner.objects.coincident import parts_through
 from planner.objects.graspable import Graspable
 
 
@@ -15,9 +16,9 @@ def off_excluded_geoms(rigid_object: Graspable, candidates: Candidates, limits: 
 
 
 def on_geoms(rigid_object: Graspable, candidates: Candidates, patterns: tuple[str, ...]) -> np.ndarray:
-    """Whether the geom of each candidate matches one of the names or patterns, shape (n,)."""
-    named = [any(matches(part.geom, pattern) for pattern in patterns) for part in rigid_object.parts]
-    return np.array(named, dtype=bool)[candidates.part]
+    """Whether a geom on whose surface each candidate lies matches one of the names or patterns, shape (n,)."""
+    named = np.array([any(matches(part.geom, pattern) for pattern in patterns) for part in rigid_object.parts])
+    return named[candidates.part] | parts_through(rigid_object, candidates.contacts.points)[:, named].any(axis=1)
 
 
 def matches(geom: str, pattern: str) -> bool:

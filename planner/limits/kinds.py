@@ -68,7 +68,7 @@ def finger_kinds(rigid_object: Graspable, candidates: Candidates, fingers: int, 
         FingerKind(fingers=signs.count(sign), candidates=int(masks[signs.index(sign)].sum()), strength=float(sign[1]))
         for sign in distinct
     )
-    listed = candidates.subset(np.concatenate([np.flatnonzero(masks[signs.index(sign)]) for sign in distinct]))
+    listed = candidates.kept(np.concatenate([np.flatnonzero(masks[signs.index(sign)]) for sign in distinct]))
     if len(kinds) == 1 and kinds[0].strength == 1:
         return Kinds(kinds=(), candidates=listed, of_finger=alike)
     return Kinds(kinds=kinds, candidates=listed, of_finger=np.array([distinct.index(sign) for sign in signs]))

@@ -31,15 +31,18 @@ from planner.limits.limits import Limits
 from planner.objects.graspable import Graspable
 from planner.toml_file import read_toml
 
+SAMPLE = "; a whole limits file can be: span = 0.12  # greatest distance of two contacts in metres"
+"""What ends a complaint about a limits file."""
 
-def read_limits(path: Path, rigid_object: Graspable) -> Limits:
+
+def read_limits(path: Path | str, rigid_object: Graspable) -> Limits:
     """The limits of a file, for one object.
 
     Raises:
         LimitsError: If the file cannot be read, has an unknown key or a value that is not allowed, or does not fit
             the object.
     """
-    limits = read_toml(path, Limits, "limits file", LimitsError)
+    limits = read_toml(Path(path), Limits, "limits file", LimitsError, sample=SAMPLE)
     try:
         require_fit(limits, rigid_object)
     except LimitsError as error:

@@ -57,13 +57,14 @@ def restricted(rigid_object: Graspable, candidates: Candidates, limits: Limits) 
     for name, allows in RESTRICTIONS.items():
         allowed = np.flatnonzero(allows(rigid_object, left, limits))
         removed[name] = len(left) - len(allowed)
-        left = left.subset(allowed)
+        left = left.kept(allowed)
         if not len(left):
             raise CandidateError(
                 f"{name} leaves none of the {len(candidates)} candidates (removed: {removals(removed)}); loosen the "
                 "limits, or ask for more candidates"
             )
-    return Restricted(candidates=left, removed=removed)
+    limited = left if limits == Limits() else left.chosen(limited=True)
+    return Restricted(candidates=limited, removed=removed)
 
 
 def removals(removed: dict[str, int]) -> str:

@@ -1,45 +1,23 @@
-"""Asks MuJoCo where the object's surface is: a small ball put above it, measured against the original model.
+"""Asks MuJoCo where the object's surface is: a small ball put on it, measured against the original model.
 
-A ball of radius r whose centre is lifted by r + h off a point of a convex part, along the outward normal there, is h
-away from that part, and the shortest line to it is the normal. Frame: body frame B, SI.
+Frame: body frame B, SI.
 """
-
-from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.objects.compiled import compile_object
 from planner.objects.rigid_object import RigidObject
-from planner.objects.vectors import norm
-
-RADIUS, HEIGHT = 2e-3, 1e-3
-"""r and h, relative to the object's size."""
-
-CONVERGED = 1e-10
-"""Tolerance of MuJoCo's convex collision detection [m]; its default of 1e-6 would be what we measure."""
+from planner.objects.touch import TIP, Touch, TouchProbe
 
 PROBE = "rhograsp/probe"
 """Name of the ball and its body."""
 
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class CollisionMeasurement:
-    """What MuJoCo says of surface points."""
-
-    heights: np.ndarray
-    """How far each point lies above the surface of its part, negative inside, shape (n,) [m]."""
-
-    turns: np.ndarray
-    """Angle between each point's normal and MuJoCo's, shape (n,) [rad]."""
-
-    free: np.ndarray
-    """Whether the ball above the point touches no other part, shape (n,)."""
+MARGIN = 0.1
+"""Share by which the planner is stricter than the simulator; single precision needs less."""
 
 
-def measure_collision(
-    rigid_object: RigidObject, points: np.ndarray, normals: np.ndarray, part: np.ndarray
-) -> CollisionMeasurement:
+def measure_collision(rigid_object: RigidObject, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> Touch:
     """Compare points of the object's surface with the model its file compiles to.
 
     Args:
@@ -48,50 +26,29 @@ def measure_collision(
         normals: Inward unit normals, shape (n, 3).
         part: Part of each point, shape (n,).
 
+    Returns:
+        What balls of radius TIP of the object's size touch there; parts out of their reach count as far.
+
     Raises:
         ObjectError: If the file cannot be compiled any more.
     """
-    radius, height = RADIUS * rigid_object.size, HEIGHT * rigid_object.size
-    ball = _Ball(rigid_object, radius)
-    centers = points - (radius + height) * normals
-    gaps, directions = np.empty(len(points)), np.empty((len(points), 3))
-    for index, (center, own) in enumerate(zip(centers, part, strict=True)):
-        gaps[index], directions[index] = ball.shortest_line(center, own)
-    free = np.ones(len(points), dtype=bool)
-    for other, each in enumerate(rigid_object.parts):
-        lower, upper = each.bounds()
-        near = ((centers > lower - radius) & (centers < upper + radius)).all(axis=1)
-        for close in np.flatnonzero(near & free & (part != other)):
-            free[close] = ball.shortest_line(centers[close], other)[0] > 0
-    sines, cosines = norm(np.cross(directions, normals)), (directions * normals).sum(axis=1)
-    return CollisionMeasurement(heights=gaps - height, turns=np.arctan2(sines, cosines), free=free)
+    radius = TIP * rigid_object.size
+    compiled = compile_object(rigid_object.source, _add_ball)
+    model, geoms, pose = compiled.model, np.array(compiled.colliding), compiled.pose_in_file
+    ball = model.geom(PROBE).id
+    probe = TouchProbe(model, ball, geoms, rigid_object.size, MARGIN, compiled.configuration)
+    asked = _in_reach(rigid_object, points - radius * normals, 2 * radius)
+    asked[np.arange(len(points)), part] = True
+    return probe.touch(pose.to_body(points), pose.rotate(normals), radius, asked)
 
 
-class _Ball:
-    """The object's own model with one ball that is put where it is wanted."""
+def _in_reach(rigid_object: RigidObject, centers: np.ndarray, reach: float) -> np.ndarray:
+    """Which parts' bounding boxes are within reach of each ball's centre, shape (balls, parts)."""
+    bounds = np.array([part.bounds() for part in rigid_object.parts])
+    boxes = zip(bounds[:, 0] - reach, bounds[:, 1] + reach, strict=True)
+    return np.stack([((centers > lower) & (centers < upper)).all(axis=1) for lower, upper in boxes], axis=1)
 
-    def __init__(self, rigid_object: RigidObject, radius: float) -> None:
-        def add_ball(spec: mujoco.MjSpec) -> None:
-            body = spec.worldbody.add_body(name=PROBE)
-            body.add_geom(name=PROBE, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0], contype=0, conaffinity=0)
-            spec.option.ccd_tolerance = CONVERGED
 
-        self._model, _ = compile_mjcf(rigid_object.file, add_ball)
-        self._compiled: CompiledObject = choose_object(self._model, rigid_object.body)
-        self._data = mujoco.MjData(self._model)
-        mujoco.mj_kinematics(self._model, self._data)
-        root = next(iter(self._compiled.poses))
-        self._rotation = self._data.xmat[root].reshape(3, 3).copy()
-        self._origin = self._data.xpos[root].copy()
-        self._geom = self._model.geom(PROBE).id
-        self._far = 10 * rigid_object.size
-
-    def shortest_line(self, center: np.ndarray, part: int) -> tuple[float, np.ndarray]:
-        """Distance of the ball's surface from a part [m], and the direction to it, shape (3,); zero if they touch."""
-        self._data.geom_xpos[self._geom] = self._origin + self._rotation @ center
-        ends = np.zeros(6)
-        geom = self._compiled.colliding[part]
-        distance = mujoco.mj_geomDistance(self._model, self._data, self._geom, geom, self._far, ends)
-        line = self._rotation.T @ (ends[3:] - ends[:3])
-        length = float(norm(line))
-        return distance, line / length if length > 0 else line
+def _add_ball(spec: mujoco.MjSpec) -> None:
+    body = spec.worldbody.add_body(name=PROBE)
+    body.add_geom(name=PROBE, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[1, 0, 0], contype=0, conaffinity=0)

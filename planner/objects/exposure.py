@@ -17,7 +17,8 @@ FINGERTIP = 0.005
 """Radius, unless given, of the fingertip that must fit beside other parts' walls, relative to the object's size."""
 
 SEAM = 1e-3
-"""Relative slack that lets a fingertip rest on one of two coplanar faces beside the other."""
+"""Share of its radius by which a fingertip on one of two coplanar faces may reach into the other; at least the height
+of the first probe."""
 
 
 def exposed(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
@@ -62,10 +63,10 @@ def reachable(
     """
     clear = exposed(rigid_object, points, normals, part)
     radius = FINGERTIP * rigid_object.size if fingertip is None else fingertip
-    centers = points - radius * normals
+    centers, slack = points - radius * normals, max(SEAM * radius, PROBES[0] * rigid_object.size)
     for index, other in enumerate(rigid_object.parts):
         lower, upper = other.bounds()
         near = ((centers > lower - radius) & (centers < upper + radius)).all(axis=1)
         asked = np.flatnonzero(clear & (part != index) & near)
-        clear[asked] = other.depth(centers[asked]) <= -radius * (1 - SEAM)
+        clear[asked] = other.depth(centers[asked]) <= slack - radius
     return clear

@@ -31,7 +31,7 @@ def extruded(planar: PlanarObject) -> Slab:
         pieces = [outline.corners[list(triangle)] for triangle in triangles(outline.corners)]
     slabs = [np.vstack([np.column_stack([piece, np.full(len(piece), z)]) for z in (-half, half)]) for piece in pieces]
     return Slab(
-        file=planar.file,
+        source=planar.source,
         sha256=planar.sha256,
         body=planar.body,
         parts=tuple(Polyhedron.hull(slab, geom=outline.geom, friction=outline.friction) for slab in slabs),

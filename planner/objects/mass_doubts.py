@@ -1,11 +1,16 @@
 """Mass properties that are allowed here and wrong almost everywhere else."""
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
+from planner.millimetres import in_mm, point_in_mm
 from planner.objects.rigid_object import RigidObject
 
-DENSITIES = (50.0, 20_000.0)
-"""Foam, and a little more than gold [kg / m^3]."""
+DENSITIES = (10.0, 25_000.0)
+"""The lightest foam, and a little more than osmium, the densest metal [kg / m^3]."""
+
+OUTSIDE = 0.01
+"""How far outside the hull a centre of mass may be, relative to the object's size: curved parts are tessellated."""
 
 SAMPLES = 20_000
 """Random points that estimate the volume: to 5 % where the parts fill 2 % of their bounding box."""
@@ -26,11 +31,27 @@ def mass_doubts(rigid_object: RigidObject) -> list[str]:
     least, most = DENSITIES
     if volume > 0 and not least <= mass / volume <= most:
         doubts.append(
-            f"body '{name}' weighs {mass:.3g} kg, {mass / volume:.3g} kg per m3 of its collision geoms "
-            f"({'lighter than foam' if mass / volume < least else 'heavier than gold'}); give the mass with --mass "
-            "if that is wrong"
+            f"body '{name}' weighs {mass:.3g} kg, {mass / volume:.3g} kg per m3 of the union of its collision geoms "
+            f"({'lighter than foam' if mass / volume < least else 'heavier than any metal'}); give the mass with "
+            "--mass if that is wrong"
+        )
+    outside = height_outside(rigid_object, rigid_object.center_of_mass)
+    if outside > OUTSIDE * rigid_object.size:
+        place = point_in_mm(rigid_object.center_of_mass)
+        doubts.append(
+            f"the centre of mass of body '{name}', {place} mm, is {in_mm(outside)} mm outside the convex hull of "
+            "its collision geoms; is its inertial a placeholder, or in another frame? give it with --com"
         )
     return doubts
+
+
+def height_outside(rigid_object: RigidObject, point: np.ndarray) -> float:
+    """Greatest height of a point, shape (3,), above a facet of the hull of all parts; zero if it lies in a part [m]."""
+    if any(part.depth(point[None])[0] >= 0 for part in rigid_object.parts):
+        return 0.0
+    corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in rigid_object.parts])
+    facets = ConvexHull(corners).equations
+    return max(0.0, float((facets[:, :3] @ point + facets[:, 3]).max()))
 
 
 def union_volume(rigid_object: RigidObject) -> float:

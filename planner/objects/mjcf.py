@@ -5,18 +5,20 @@ angles, default classes and included files. Frame: the chosen body's frame B, SI
 """
 
 import logging
+from dataclasses import replace
 from pathlib import Path
+from zipfile import is_zipfile
 
 import mujoco
 import numpy as np
 
 from planner.errors import ObjectError
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.objects.compiled import CompiledObject, compile_object
 from planner.objects.digest import digest
-from planner.objects.filled_hollows import filled_hollows
-from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
+from planner.objects.file_doubts import file_doubts
 from planner.objects.mass_doubts import mass_doubts
 from planner.objects.mass_properties import MassProperties, combined
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
 from planner.objects.parts.cylinder import Cylinder
@@ -25,44 +27,36 @@ from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.plausibility import size_doubts
 
 logger = logging.getLogger(__name__)
 
 
-def read_object(path: Path, body: str | None = None, given: GivenMass = NOTHING_GIVEN) -> RigidObject:
+def read_object(source: ObjectSource | Path) -> RigidObject:
     """The rigid object of an MJCF file, as MuJoCo collides it.
 
     Args:
-        path: The MJCF file; what it includes is found as MuJoCo finds it.
-        body: Name of the body that is the object (`body<id>` where it has none); needed when the file holds
-            several. Its subtree belongs to it.
-        given: Mass properties in place of the file's.
+        source: How it is read; a path alone reads the only object of that file as it is. What the file includes is
+            found as MuJoCo finds it.
 
     Returns:
-        The object in the frame of that body, with the mass properties of the compiled subtree.
+        The object in the frame of its body, with the mass properties of all that is rigidly tied to it.
 
     Raises:
         ObjectError: If the file cannot be compiled, the body cannot be chosen, is articulated, does not collide,
             or has a geom that is no convex solid.
     """
-    model, complaint = compile_mjcf(path)
-    if complaint:
-        logger.warning("'%s' was compiled without its textures: %s", path, complaint)
-    compiled = choose_object(model, body)
-    rigid_object = as_compiled(path, compiled).weighing(given)
-    for part, share in filled_hollows(compiled, rigid_object.parts).items():
-        logger.warning(
-            "geom '%s' collides as its convex hull, %.0f %% of which is outside its mesh; decompose it into convex "
-            "parts (--decompose) if fingers should reach into its hollows",
-            rigid_object.parts[part].geom,
-            100 * share,
-        )
-    for doubt in mass_doubts(rigid_object):
+    source = source if isinstance(source, ObjectSource) else ObjectSource(file=source)
+    compiled = compile_object(source)
+    for complaint in compiled.complaints:
+        logger.warning("'%s' is %s", source.file, complaint)
+    rigid_object = as_compiled(source, compiled)
+    for doubt in [*file_doubts(compiled, rigid_object.parts), *size_doubts(rigid_object), *mass_doubts(rigid_object)]:
         logger.warning("%s", doubt)
     return rigid_object
 
 
-def as_compiled(path: Path, compiled: CompiledObject) -> RigidObject:
+def as_compiled(source: ObjectSource, compiled: CompiledObject) -> RigidObject:
     """The object of a file as MuJoCo compiled it, without a word about what looks doubtful.
 
     Its parts are the geoms `compiled.colliding`, in that order.
@@ -74,15 +68,18 @@ def as_compiled(path: Path, compiled: CompiledObject) -> RigidObject:
     mass, center_of_mass, inertia = _mass_properties(compiled)
     corners = np.concatenate([part.bounds() for part in parts])
     return RigidObject(
-        file=path,
-        sha256=digest(path.parent, _dependencies(path)),
+        source=replace(source, body=compiled.body),
+        sha256=digest(source.file.parent, _dependencies(source.file)),
         body=compiled.body,
         parts=parts,
+        pose_in_file=compiled.pose_in_file,
+        untouchable=compiled.untouchable,
         mass=mass,
         center_of_mass=center_of_mass,
         inertia=inertia,
         extent=np.ptp(corners, axis=0),
-    )
+        gravity=float(np.linalg.norm(compiled.model.opt.gravity)),
+    ).weighing(source.given)
 
 
 def _part(compiled: CompiledObject, geom: int) -> ConvexPart:
@@ -135,8 +132,10 @@ def _mass_properties(compiled: CompiledObject) -> MassProperties:
 
 
 def _dependencies(path: Path) -> list[Path]:
-    """The file itself and everything it names."""
+    """The file itself and everything it names; an archive (.mjz) holds all of it."""
+    if is_zipfile(path):
+        return [path]
     try:
         return [Path(name) for name in mujoco.mju_getXMLDependencies(str(path))]
-    except mujoco.FatalError as error:
+    except (mujoco.FatalError, UnicodeDecodeError) as error:
         raise ObjectError(f"MuJoCo cannot list the files '{path}' depends on: {error}") from error

@@ -12,6 +12,7 @@ outline = [          # corners in order, in the body frame [m]
 ]
 """
 
+import logging
 from pathlib import Path
 from typing import Literal
 
@@ -23,7 +24,10 @@ from planner.objects.digest import digest
 from planner.objects.outline import Outline
 from planner.objects.planar_object import PlanarObject
 from planner.objects.simple_polygon import LARGEST, simple_polygon
+from planner.plausibility import size_doubts
 from planner.toml_file import read_toml
+
+logger = logging.getLogger(__name__)
 
 THICKNESS = 0.1
 """Thickness where none is given, relative to the diagonal of the outline's bounding box."""
@@ -56,7 +60,7 @@ def read_planar(path: Path) -> PlanarObject:
             corners=simple_polygon(corners, file.name),
         )
         diagonal = float(np.linalg.norm(np.ptp(corners, axis=0)))
-        return PlanarObject(
+        planar = PlanarObject(
             file=path,
             sha256=digest(path.parent, [path]),
             body=file.name,
@@ -66,6 +70,9 @@ def read_planar(path: Path) -> PlanarObject:
         )
     except ObjectError as error:
         raise ObjectError(f"planar object '{path}': {error}") from error
+    for doubt in size_doubts(planar):
+        logger.warning("%s", doubt)
+    return planar
 
 
 def _positive(name: str, value: float) -> float:

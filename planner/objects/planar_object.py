@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.objects.object_source import ObjectSource
 from planner.objects.outline import Outline
 from planner.objects.part import Part
 
@@ -34,9 +35,19 @@ class PlanarObject:
     """Height of the slab that stands for the object where a third dimension is needed [m]."""
 
     @property
+    def source(self) -> ObjectSource:
+        """The file it was read from; nothing else decides what comes out of it."""
+        return ObjectSource(file=self.file, body=self.body)
+
+    @property
     def parts(self) -> tuple[Part, ...]:
         """The outline, the only part."""
         return (self.outline,)
+
+    @property
+    def touchable(self) -> np.ndarray:
+        """Fingers may touch the outline, shape (1,)."""
+        return np.ones(1, dtype=bool)
 
     @property
     def center_of_mass(self) -> np.ndarray:

@@ -36,6 +36,19 @@ class Pose:
             ]
         )
 
+    @property
+    def angle(self) -> float:
+        """Of the rotation, between 0 and pi [rad]."""
+        w, *xyz = self.quaternion
+        return float(2 * np.arctan2(np.linalg.norm(xyz), abs(w)))
+
+    @property
+    def axis(self) -> np.ndarray:
+        """About which it turns by `angle`, a unit vector, shape (3,); zero without a turn."""
+        w, *xyz = self.quaternion
+        length = np.linalg.norm(xyz)
+        return np.array(xyz) / length * np.copysign(1.0, w) if length > 0 else np.zeros(3)
+
     def rotate(self, vectors: np.ndarray) -> np.ndarray:
         """Free vectors of G in the axes of B, shape (..., 3)."""
         return _combine(vectors, self.rotation.T)
@@ -47,6 +60,11 @@ class Pose:
     def to_local(self, points: np.ndarray) -> np.ndarray:
         """Points of B in G, shape (..., 3) [m]."""
         return _combine(points - self.position, self.rotation)
+
+    def inverse(self) -> "Pose":
+        """X_GB, the pose of B in G."""
+        conjugate = Pose(position=np.zeros(3), quaternion=self.quaternion * np.array([1.0, -1.0, -1.0, -1.0]))
+        return Pose(position=conjugate.rotate(-self.position), quaternion=conjugate.quaternion)
 
     def compose(self, child: "Pose") -> "Pose":
         """Pose in B of a frame whose pose in G is `child`."""

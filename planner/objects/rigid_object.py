@@ -3,14 +3,16 @@
 Frame: the chosen MJCF body's frame B, SI.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 
-from planner.objects.given_mass import NOTHING_GIVEN, GivenMass
+from planner.objects.given_mass import GivenMass
+from planner.objects.object_source import ObjectSource
 from planner.objects.part import Part
+from planner.objects.pose import Pose
 
 
 class ConvexPart(Part, Protocol):
@@ -31,8 +33,8 @@ class ConvexPart(Part, Protocol):
 class RigidObject:
     """One rigid object: what the planner plans on and the simulator collides with."""
 
-    file: Path
-    """The MJCF file it was read from."""
+    source: ObjectSource
+    """The MJCF file it was read from, and how; its body is the one below."""
 
     sha256: str
     """Digest of that file and of every file it depends on."""
@@ -55,8 +57,29 @@ class RigidObject:
     extent: np.ndarray
     """Edge lengths of the collision surface's bounding box along the axes of B, shape (3,) [m]."""
 
-    given: GivenMass = NOTHING_GIVEN
-    """What of the mass properties the user gave in place of the file's."""
+    pose_in_file: Pose = field(default_factory=Pose.identity)
+    """X_WB: where the file places the body in its world W, at qpos0 or the keyframe."""
+
+    gravity: float | None = None
+    """Magnitude of the file's own `option gravity` [m/s^2]; None for objects that no file describes."""
+
+    untouchable: frozenset[int] = frozenset()
+    """Parts, by number, that no finger may touch, because they are not of the body that the user asked for."""
+
+    @property
+    def file(self) -> Path:
+        """The MJCF file it was read from."""
+        return self.source.file
+
+    @property
+    def given(self) -> GivenMass:
+        """What of the mass properties the user gave in place of the file's."""
+        return self.source.given
+
+    @property
+    def touchable(self) -> np.ndarray:
+        """Whether fingers may touch each part, shape (parts,)."""
+        return ~np.isin(np.arange(len(self.parts)), list(self.untouchable))
 
     @property
     def size(self) -> float:
@@ -68,4 +91,5 @@ class RigidObject:
         mass = self.mass if given.mass is None else given.mass
         center = self.center_of_mass if given.center_of_mass is None else given.center_of_mass
         inertia = self.inertia * (mass / self.mass) if self.mass > 0 else self.inertia
-        return replace(self, mass=mass, center_of_mass=center, inertia=inertia, given=given)
+        source = replace(self.source, given=given)
+        return replace(self, source=source, mass=mass, center_of_mass=center, inertia=inertia)

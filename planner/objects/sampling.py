@@ -2,16 +2,30 @@
 
 import numpy as np
 
+from planner.objects.coincident import covered_parts, finger_parts
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import norm
 
 
 def whole_surface(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Triangles of all parts, shape (n, 3, 3) [m], and the part and the facet of each, shape (n,)."""
-    surfaces = [part.triangles() for part in rigid_object.parts]
+    """Triangles of the parts, shape (n, 3, 3) [m], and the part and the facet of each, shape (n,).
+
+    Parts that others hold are left out: they are no surface of the object.
+    """
+    covered = covered_parts(rigid_object)
+    return _surface(rigid_object, [index for index in range(len(rigid_object.parts)) if index not in covered])
+
+
+def finger_surface(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The same of the parts whose surface is for fingers."""
+    return _surface(rigid_object, finger_parts(rigid_object))
+
+
+def _surface(rigid_object: RigidObject, parts: list[int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    surfaces = [rigid_object.parts[index].triangles() for index in parts]
     triangles = np.concatenate([triangles for triangles, _ in surfaces])
     facets = np.concatenate([facets for _, facets in surfaces])
-    return triangles, np.repeat(np.arange(len(surfaces)), [len(each) for _, each in surfaces]), facets
+    return triangles, np.repeat(parts, [len(each) for _, each in surfaces]), facets
 
 
 def areas(triangles: np.ndarray) -> np.ndarray:

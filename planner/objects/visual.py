@@ -12,7 +12,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
-from planner.objects.compiled import CompiledObject, choose_object, compile_mjcf
+from planner.millimetres import in_mm, point_in_mm
+from planner.objects.compiled import CompiledObject, compile_object
 from planner.objects.exposure import exposed
 from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
@@ -26,6 +27,12 @@ LARGE = 0.02
 
 SEEN, TOUCHED = 1000, 10_000
 """Random points of the visual meshes, and of the parts' surfaces."""
+
+TOUCHING = 1e-6
+"""Distance of a part within which a point is on its surface, relative to the object's size."""
+
+NO_PART = -1
+"""In place of a part's number."""
 
 NEIGHBOURS = 8
 """Triangles near a visual point that are asked for their own nearest point."""
@@ -53,10 +60,9 @@ class VisualDifference:
         return self.typical > LARGE * self.size
 
     def __str__(self) -> str:
-        where = ", ".join(f"{1000 * coordinate:.4g}" for coordinate in self.where)
         return (
-            f"{1000 * self.typical:.2g} mm ({self.typical / self.size:.1%} of the size) off the collision surface at "
-            f"the 95th percentile, at most {1000 * self.largest:.2g} mm, at ({where}) mm"
+            f"{in_mm(self.typical, 2)} mm ({self.typical / self.size:.1%} of the size) off the collision surface at "
+            f"the 95th percentile, at most {in_mm(self.largest, 2)} mm, at {point_in_mm(self.where)} mm"
         )
 
 
@@ -67,17 +73,20 @@ def visual_difference(rigid_object: RigidObject) -> VisualDifference | None:
         rigid_object: The object; its file is compiled again.
 
     Returns:
-        None for an object without meshes.
+        None for an object without meshes, or with none that shows.
 
     Raises:
         ObjectError: If the file cannot be compiled any more.
     """
-    model, _ = compile_mjcf(rigid_object.file)
-    triangles = seen_triangles(choose_object(model, rigid_object.body))
+    compiled = compile_object(rigid_object.source)
+    triangles = seen_triangles(compiled)
     if not len(triangles):
         return None
     generator = np.random.Generator(np.random.PCG64(0))
-    points, _ = random_points(triangles, SEEN, generator)
+    points, index = random_points(triangles, SEEN, generator)
+    points = points[~_buried(rigid_object, points, _parts_of_seen(compiled)[index])]
+    if not len(points):
+        return None
     distances = _distances(rigid_object, points, generator)
     worst = int(distances.argmax())
     return VisualDifference(
@@ -99,6 +108,30 @@ def seen_triangles(compiled: CompiledObject) -> np.ndarray:
     meshes = compiled.meshes(colliding=False) or compiled.meshes(colliding=True)
     found = [vertices[faces] for vertices, faces in map(compiled.mesh, meshes)]
     return np.concatenate([*found, np.zeros((0, 3, 3))])
+
+
+def _parts_of_seen(compiled: CompiledObject) -> np.ndarray:
+    """The part as which each of the seen triangles collides, shape (n,); NO_PART where its mesh is only seen."""
+    if compiled.meshes(colliding=False):
+        return np.full(len(seen_triangles(compiled)), NO_PART)
+    meshes = compiled.meshes(colliding=True)
+    parts = [compiled.colliding.index(geom) for geom in meshes]
+    return np.repeat(parts, [len(compiled.mesh(geom)[1]) for geom in meshes])
+
+
+def _buried(rigid_object: RigidObject, points: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """Which points of meshes that collide lie in or on another part than their own, where nobody sees them, shape (n,).
+
+    Args:
+        rigid_object: The object.
+        points: Shape (n, 3) [m].
+        own: Part of each, or NO_PART, shape (n,).
+    """
+    inside = np.zeros(len(points), dtype=bool)
+    for number, part in enumerate(rigid_object.parts):
+        asked = np.flatnonzero((own != number) & (own != NO_PART))
+        inside[asked] |= part.depth(points[asked]) > -TOUCHING * rigid_object.size
+    return inside
 
 
 def _distances(rigid_object: RigidObject, points: np.ndarray, generator: np.random.Generator) -> np.ndarray:

@@ -6,6 +6,7 @@ Read in this order:
     evaluation                  exact rho of one subset, by cone programs
     cuts                        the table in which one direction bounds every subset
     tree, frontier              groups of candidates, and rows of them that stand for many subsets
+    bounded_rows                such rows, each with its bound and the cut that proves it
     node_bounds, compiled/      bounds of rows from the table
     spacing, apart              rows that hold nothing wanted
     local_search, incumbents    good grasps early, and which are still wanted

@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from planner.search.apart import Apart
+from planner.search.bounded_rows import BoundedRows
 from planner.search.closure import impossible_direction
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
@@ -39,6 +40,9 @@ LOG_PAUSE = 0.1
 
 BATCH = 512
 """Rows split together."""
+
+LAST_WORK = 0.1
+"""Time for tightening the bounds of a search that was stopped [s]."""
 
 
 class BranchAndBound:
@@ -75,7 +79,7 @@ class BranchAndBound:
             self.cuts.add(direction)
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
-        self.frontier.push(self.tree.first_row[None], np.array([np.inf]))
+        self.frontier.push(BoundedRows.unbounded(self.tree.first_row[None]))
         self.incumbents = Incumbents(
             problem.force_ceiling,
             method.gap,
@@ -84,6 +88,7 @@ class BranchAndBound:
             self.apart.admits,  # nothing that refers to self: the tables go as soon as the search is over
         )
         self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
+        self.useful: set[int] = set()  # cuts that gave such a bound: they are the proof
         self.nodes = 0
         self.trace: list[Progress] = []
 
@@ -94,16 +99,22 @@ class BranchAndBound:
 
     def halted(self) -> Status | None:
         """Why the search has to end before its proof is complete, if it has to."""
+        if self.incumbents.rho < np.inf and not (self.trace and self.trace[-1].incumbent < np.inf):
+            self.log()  # the first grasp is worth keeping, and whoever can stop the search has to know
         if self.stop():
             return Status.INTERRUPTED
-        return Status.TIME_LIMIT if time.perf_counter() - self.began > self.method.time_limit else None
+        return Status.TIME_LIMIT if time.perf_counter() - self.began >= self.method.time_limit else None
+
+    def ends(self) -> bool:
+        """The same as a plain question."""
+        return self.halted() is not None
 
     def search(self) -> Status:
         add_vertex_cuts(self.cuts)
         if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
             return self.search_pairs()
         self.start_incumbent()
-        if self.incumbents.best is None and self.impossible_at_once():
+        if self.incumbents.best is None and not self.ends() and self.impossible_at_once():
             return Status.INFEASIBLE
         self.log_if_due()
         while len(self.frontier):
@@ -121,21 +132,27 @@ class BranchAndBound:
             if status := self.halted():
                 return status
             subsets = subsets[self.apart.admit(subsets)]
-            possible.append(subsets[self.drop(line_bounds(self.problem, subsets))])
+            bounds = line_bounds(self.problem, subsets)  # whose cut every pair has of its own: none is kept
+            self.remember(bounds[bounds <= self.threshold])
+            possible.append(subsets[bounds > self.threshold])
             self.nodes += len(subsets)
         for subset in np.concatenate(possible):
             if status := self.halted():
                 return status
             self.evaluate(subset)
+        if status := self.halted():
+            return status
         self.frontier.pop(1)
         return self.proven_status()
 
     def proven_status(self) -> Status:
         """What the bounds of everything pruned amount to, once nothing is open."""
         if self.incumbents.best is None:
-            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else Status.UNRESOLVED
+            return Status.INFEASIBLE if self.pruned_bound <= self.threshold else self.halted() or Status.UNRESOLVED
         gap = relative_gap(self.incumbents.rho, self.lower_bound())
-        return Status.OPTIMAL if gap <= max(self.method.gap, SOLVER_ACCURACY) else Status.UNRESOLVED
+        if gap <= max(self.method.gap, SOLVER_ACCURACY):
+            return Status.OPTIMAL
+        return self.halted() or Status.UNRESOLVED  # the last subset may have been left half evaluated
 
     def start_incumbent(self) -> None:
         """Local search from random subsets: first among few spread candidates, then among all."""
@@ -151,7 +168,7 @@ class BranchAndBound:
 
     def climb(self, subset: np.ndarray, among: np.ndarray | None = None) -> np.ndarray:
         """Local search from a subset, near it or among the given candidates; returns where it ended."""
-        return improve(self.evaluator, self.cuts, subset, self.incumbents, lambda: self.halted() is not None, among)
+        return improve(self.evaluator, self.cuts, subset, self.incumbents, self.ends, among)
 
     def impossible_at_once(self) -> bool:
         """Whether one direction shows that even all candidates together cannot resist W_R; if so, it is the proof."""
@@ -162,54 +179,59 @@ class BranchAndBound:
         if bound > self.threshold:
             return False
         self.frontier.pop(1)
-        self.pruned_bound, self.bounds.useful = bound, {len(self.cuts) - 1}
+        self.pruned_bound, self.useful = bound, {len(self.cuts) - 1}
         return True
 
     def advance(self) -> None:
         """Split the most recent open rows, prune, and evaluate the single subsets among their children."""
-        rows, bounds = self.frontier.pop(BATCH)
+        rows = self.frontier.pop(BATCH)
         self.nodes += len(rows)
-        children, parents = split(rows, self.tree)
-        possible = self.spacing.possible(children) & self.apart.possible(children)
-        children, parents = children[possible], parents[possible]
+        rows = split(rows, self.tree)
+        rows = rows[self.spacing.possible(rows.nodes) & self.apart.possible(rows.nodes)]
         self.bounds.extend()
-        bounds = self.bounds.bound(children, bounds[parents], self.threshold)
-        open_ = self.drop(bounds)
-        children, bounds = children[open_], bounds[open_]
-        single = (self.tree.sizes[children] == 1).all(axis=1)
-        self.frontier.push(children[~single], bounds[~single])
-        best_first = np.argsort(-bounds[single], kind="stable")
-        leaves, bounds = children[single][best_first], bounds[single][best_first]
-        for done, row in enumerate(leaves):
+        rows = self.unpruned(self.bounds.bound(rows, self.threshold))
+        single = (self.tree.sizes[rows.nodes] == 1).all(axis=1)
+        self.frontier.push(rows[~single])
+        leaves = rows[single]
+        leaves = leaves[np.argsort(-leaves.bounds, kind="stable")]
+        for done, nodes in enumerate(leaves.nodes):
             if self.halted():
-                self.frontier.push(leaves[done:], bounds[done:])  # still open: the bound must not forget them
+                self.frontier.push(leaves[done:])  # still open: the bound must not forget them
                 return
-            self.evaluate(np.sort(self.tree.order[self.tree.start[row]]))
+            self.evaluate(np.sort(self.tree.order[self.tree.start[nodes]]))
 
-    def drop(self, bounds: np.ndarray) -> np.ndarray:
-        """Which bounds exceed the threshold; the largest of the others is remembered."""
-        open_ = bounds > self.threshold
-        self.pruned_bound = max(self.pruned_bound, min(self.threshold, float(bounds[~open_].max(initial=0.0))))
-        return open_
+    def unpruned(self, rows: BoundedRows) -> BoundedRows:
+        """The rows whose bounds exceed the threshold; the bounds of the others are remembered with their cuts."""
+        open_ = rows.bounds > self.threshold
+        self.remember(rows.bounds[~open_])
+        self.useful.update(np.unique(rows.cuts[~open_]).tolist())
+        return rows[open_]
+
+    def remember(self, pruned: np.ndarray) -> None:
+        """Let the proven bound say no more than these bounds on 1 / rho do."""
+        self.pruned_bound = max(self.pruned_bound, float(pruned.max(initial=0.0)))
 
     def evaluate(self, subset: np.ndarray) -> None:
         """Decide a single subset: pruned by a cut, or evaluated and offered to the incumbents."""
         if self.cuts.bound(subset)[0] > self.threshold and subset not in self.incumbents:
-            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level)
+            wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level, self.ends)
             if wanted is not None:
                 self.incumbents.offer(wanted)
                 self.climb(subset)
         bound, cut = self.cuts.bound(subset)
-        self.bounds.useful.add(cut)
+        self.useful.add(cut)
         self.pruned_bound = max(self.pruned_bound, bound)
 
     def lower_bound(self) -> float:
-        """No subset has a smaller rho [N]; claims beyond the force ceiling are not made."""
+        """No subset has a smaller rho [N]; claims beyond the force ceiling, or the best rho found, are not made.
+
+        The bound of the best grasp itself may exceed its rho by what the solver leaves open.
+        """
         weakest = max(self.pruned_bound, self.frontier.weakest_bound)
         if self.incumbents.best is not None:
             weakest = max(weakest, self.cuts.bound(self.incumbents.best.subset)[0])
-        ceiling = self.problem.force_ceiling
-        return min(1 / weakest, ceiling) if weakest > 0 else ceiling
+        most = min(self.problem.force_ceiling, self.incumbents.rho)
+        return min(1 / weakest, most) if weakest > 0 else most
 
     def log_if_due(self) -> None:
         """Add a line to the log when there is a better grasp, and otherwise ever more rarely."""
@@ -234,16 +256,23 @@ class BranchAndBound:
         self.trace.append(line)
         self.observe(line)
 
+    def tighten(self, rows: BoundedRows) -> None:
+        """Bound open rows by all cuts, the weakest first, for as long as whoever has stopped the search may wait."""
+        enough = time.perf_counter() + LAST_WORK
+        rows = rows[np.argsort(-rows.bounds, kind="stable")]
+        for first in range(0, len(rows), BATCH):
+            some = rows[first : first + BATCH]
+            if time.perf_counter() < enough:
+                some = self.bounds.bound(some, self.threshold)
+            self.frontier.push(self.unpruned(some))
+
     def result(self, status: Status) -> SearchResult:
         """The end state, with the open rows bounded by all cuts."""
         if len(self.frontier):
             self.bounds.extend()
-            rows, bounds = self.frontier.pop(len(self.frontier))
-            bounds = self.bounds.bound(rows, bounds, self.threshold)
-            open_ = self.drop(bounds)
-            self.frontier.push(rows[open_], bounds[open_])
-            self.bounds.useful.update(range(len(self.cuts)))  # any of them may bound what is still open
-        self.bounds.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
+            self.tighten(self.frontier.pop(len(self.frontier)))
+            self.useful.update(range(len(self.cuts)))  # any of them may bound what is still open
+        self.useful.update(self.cuts.bound(grasp.subset)[1] for grasp in self.incumbents.grasps)
         self.log()
         return SearchResult(
             problem=self.problem,
@@ -251,6 +280,6 @@ class BranchAndBound:
             status=status,
             grasps=self.incumbents.grasps,
             lower_bound=self.lower_bound(),
-            directions=self.cuts.directions[sorted(self.bounds.useful)],
+            directions=self.cuts.directions[sorted(self.useful)],
             trace=tuple(self.trace),
         )

@@ -60,4 +60,4 @@ class CertifiedSearch(SearchSettings):
             results.append(result)
             if result.status is not Status.OPTIMAL:
                 break
-        return replace(results[0], grasps=tuple(grasp for result in results for grasp in result.grasps))
+        return results[0].with_grasps(tuple(grasp for result in results for grasp in result.grasps))

@@ -54,7 +54,7 @@ class CoarseToFine:
             return result
         proof = self.search.run(problem, observe)
         better = result if result.rho < proof.rho else proof
-        return replace(proof, grasps=better.grasps, trace=(*result.trace, *proof.trace))
+        return replace(proof.with_grasps(better.grasps), trace=(*result.trace, *proof.trace))
 
     def approximate(self, problem: SearchProblem, observe: Callable[[Progress], None]) -> SearchResult:
         """The heuristic alone."""

@@ -128,7 +128,7 @@ def improve(
             break
         if sharpen(evaluator, cuts, subset):
             continue
-        better = evaluate_below(evaluator, cuts, subset, level)
+        better = evaluate_below(evaluator, cuts, subset, level, stop)
         if better is not None:
             if not incumbents.offer(better):
                 break
@@ -147,14 +147,16 @@ def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
     return False
 
 
-def evaluate_below(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, level: float) -> Evaluation | None:
+def evaluate_below(
+    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, level: float, stop: Callable[[], bool] = lambda: False
+) -> Evaluation | None:
     """Evaluate a subset only as far as needed to know whether its rho is below `level`.
 
     Every solved case that sharpens the subset's bound leaves its cut in the table. The evaluation stops as soon as
     the cuts, or a case, show rho_N >= level; then the answer is "not better", never the value of one case.
 
     Returns:
-        The full evaluation if rho_N < level, else None.
+        The full evaluation if rho_N < level, else None; None too where it was stopped, with nothing shown.
     """
     bound = cuts.bound(subset)[0]
     solutions = {}
@@ -164,5 +166,7 @@ def evaluate_below(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, lev
         if cuts.add_if_below(direction, subset, bound * (1 - 1e-9)):
             bound = cuts.bound(subset)[0]
         if bound <= 1 / level or phi >= level * (1 + SOLVER_ACCURACY):
+            return None
+        if len(solutions) < evaluator.problem.cases and stop():
             return None
     return evaluator.collect(subset, [solutions[case] for case in sorted(solutions)])

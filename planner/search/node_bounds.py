@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from scipy.cluster.hierarchy import leaves_list, ward
 
+from planner.search.bounded_rows import BoundedRows
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
 from planner.search.tree import CandidateTree
@@ -36,12 +37,15 @@ CORES = min(4, os.cpu_count() or 1)
 SMALLEST_SHARE = 256
 """Rows that are worth another thread."""
 
+UNCHANGED = -1
+"""In place of a column: no cut of the table bounds the row better than it was."""
+
 RAISED = 1 + 1e-6
 """Above the error of a float32 sum of at most eight float32 numbers, (1 + 2^-24)^9."""
 
 
 class NodeBounds:
-    """U for all nodes, extended as the cut table grows, and the cuts that killed something."""
+    """U for all nodes, extended as the cut table grows."""
 
     def __init__(self, tree: CandidateTree, cuts: CutTable) -> None:
         self._tree, self._cuts = tree, cuts
@@ -52,8 +56,6 @@ class NodeBounds:
         self._cut_of_column = np.empty(0, dtype=np.int64)
         self._grouped = BLOCK
         self._threads = ThreadPoolExecutor(CORES)
-        self.useful: set[int] = set()
-        """Cuts that have pruned a row: they are the proof."""
 
     def extend(self) -> None:
         """Compute U for the cuts added since the last call."""
@@ -78,28 +80,26 @@ class NodeBounds:
         for place in range(1, BLOCK):
             np.minimum(self._block_minima, self._maxima[:, place::BLOCK], out=self._block_minima)
 
-    def bound(self, rows: np.ndarray, bounds: np.ndarray, threshold: float) -> np.ndarray:
-        """Upper bounds on 1 / rho of the rows [1/N].
+    def bound(self, rows: BoundedRows, threshold: float) -> BoundedRows:
+        """The rows with the best bounds that are known or found, each with its cut.
 
         Args:
-            rows: Node numbers, shape (rows, m).
-            bounds: Bounds already known, for example those of the rows' parents, shape (rows,).
-            threshold: Rows whose bound falls to this value or below need no further cuts.
-
-        Returns:
-            Shape (rows,); a value at or below the threshold is the bound of the cut that killed the row.
+            rows: With what is known of them, for example of their parents.
+            threshold: Rows whose bound falls to this value or below need no better one [1/N].
         """
-        lowered, pruned_at = np.minimum(bounds, NO_BOUND).astype(np.float32), np.float32(threshold)
-        columns = np.full(len(rows), -1)
+        lowered, pruned_at = np.minimum(rows.bounds, NO_BOUND).astype(np.float32), np.float32(threshold)
+        columns = np.full(len(rows), UNCHANGED)
         blocks = -(-len(self._cut_of_column) // BLOCK)
 
         def bound_some(some: slice) -> None:
-            bound_rows(self._maxima, self._block_minima, rows[some], blocks, pruned_at, lowered[some], columns[some])
+            nodes = rows.nodes[some]
+            bound_rows(self._maxima, self._block_minima, nodes, blocks, pruned_at, lowered[some], columns[some])
 
         list(self._threads.map(bound_some, _shares(len(rows))))
-        killers = np.unique(columns[lowered <= pruned_at])
-        self.useful.update(self._cut_of_column[killers].tolist())
-        return np.where(lowered < NO_BOUND, np.minimum(lowered, bounds), bounds)
+        better = columns != UNCHANGED
+        bounds, cuts = rows.bounds.copy(), rows.cuts.copy()
+        bounds[better], cuts[better] = lowered[better], self._cut_of_column[columns[better]]
+        return BoundedRows(nodes=rows.nodes, bounds=bounds, cuts=cuts)
 
     def kills(self, rows: np.ndarray, threshold: float) -> np.ndarray:
         """Which cuts prune which rows, shape (rows, cuts).

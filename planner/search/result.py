@@ -1,6 +1,6 @@
 """What a search returns: its best grasp, a proven bound, and the cuts that prove it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
@@ -69,7 +69,7 @@ class SearchResult:
     """Grasps found and asked for, best first; empty if none was found."""
 
     lower_bound: float
-    """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling."""
+    """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling and every rho found."""
 
     directions: np.ndarray
     """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""
@@ -91,6 +91,11 @@ class SearchResult:
     def gap(self) -> float:
         """rho / lower_bound - 1."""
         return relative_gap(self.rho, self.lower_bound)
+
+    def with_grasps(self, grasps: tuple[Evaluation, ...]) -> "SearchResult":
+        """The same proof beside other grasps; where the solver finds one of them to need less, so does the bound."""
+        least = min((grasp.rho for grasp in grasps), default=np.inf)
+        return replace(self, grasps=grasps, lower_bound=min(self.lower_bound, least))
 
 
 def relative_gap(rho: float, lower_bound: float) -> float:

@@ -16,6 +16,7 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SettingError
+from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.settings import BenchSettings
 from sim.benches.world import build_world
@@ -139,7 +140,8 @@ def _objections(
     for row, tugs in enumerate(settings.tugs):
         faults = []
         if settings.translation_limit is not None and translations[row] >= settings.translation_limit:
-            faults.append(f"the object moved {translations[row]:.2g} m (allowed {settings.translation_limit:g})")
+            moved, allowed = in_mm(translations[row], 2), in_mm(settings.translation_limit)
+            faults.append(f"the object moved {moved} mm (allowed {allowed})")
         if settings.rotation_limit is not None and rotations[row] >= settings.rotation_limit:
             turned, allowed = np.rad2deg([rotations[row], settings.rotation_limit])
             faults.append(f"the object turned {turned:.3g} degrees (allowed {allowed:.3g})")

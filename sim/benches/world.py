@@ -12,11 +12,10 @@ from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
 from sim.benches.settings import BenchSettings
-from sim.protocol import ACTIVE
 from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
-from sim.scene.scene import Scene, build_scene
-from sim.scene.static_check import check_touch
+from sim.scene.placement import placed_scene
+from sim.scene.scene import Scene
 from sim.scene.units import Similarity
 
 REAL = Similarity(reference_point=np.zeros(3), length=1.0, force=1.0)
@@ -47,17 +46,15 @@ def build_world(rigid_object: RigidObject, contacts: Contacts, settings: BenchSe
         inertia=rigid_object.inertia * (settings.object_mass / rigid_object.mass),
     )
     tested = replace(contacts, friction=np.full(len(contacts), settings.friction))
-    touch = replace(ACTIVE, reach=reach)
-    for radius in settings.tip_radii:
-        tips = Fingertips(
-            contacts=tested,
-            radius=radius * reach,
-            mass=settings.tip_mass,
-            condim=settings.condim,
-            torsion=settings.torsional_friction,
-        )
-        scene = build_scene(held, tips, settings)
-        reasons = check_touch(scene, rigid_object.size, 1.0, touch).reasons()
-        if not reasons:
-            return scene
-    raise SimulationError("; ".join(reasons))
+    tips = Fingertips(
+        contacts=tested,
+        radius=0.0,
+        mass=settings.tip_mass,
+        condim=settings.condim,
+        torsion=settings.torsional_friction,
+    )
+    radii = [radius * reach for radius in settings.tip_radii]
+    scene, static = placed_scene(held, tips, settings, radii, rigid_object.size)
+    if static.reasons():
+        raise SimulationError("; ".join(static.reasons()))
+    return scene

@@ -3,10 +3,14 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from planner.grasp import Grasp
+from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.bench import BenchOutcome
 from sim.benches.bench_file import write_bench
@@ -14,7 +18,7 @@ from sim.benches.dexgraspbench import dexgraspbench
 from sim.benches.graspdatagen import graspdatagen
 from sim.commands.validation_report import validation_lines, validation_summary
 from sim.protocol import ACTIVE, STRICT
-from sim.squeeze import measure_squeeze_force
+from sim.squeeze import SqueezeForce, measure_squeeze_force
 from sim.squeeze_file import write_squeeze
 from sim.validation import validate
 from sim.validation_file import write_validation
@@ -66,17 +70,26 @@ def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe
         write=lambda out: write_squeeze(out, need, rigid_object, rho=grasp.rho, grasp=options.file.name),
         lines=[
             f"squeeze     predicted {need.predicted.squeeze_force:.6g} N, "
-            f"measured {need.lower:.6g} to {need.upper:.6g} N",
+            f"measured {need.lower:.6g} to {need.upper:.6g} N"
+            if need.predicted.feasible
+            else "squeeze     no constant squeeze can hold this load; nothing was measured",
             f"            not rho: fingers that adapt need {grasp.rho:.6g} N",
-            f"verdict     {'CONFIRMED' if need.confirmed else 'NOT CONFIRMED'} ({need.protocol.name})",
+            f"verdict     {_squeeze_verdict(need)} ({need.protocol.name})",
         ],
         summary={
-            "squeeze_force": need.predicted.squeeze_force,
-            "measured_lower": need.lower,
-            "measured_upper": need.upper,
+            "holdable": need.predicted.feasible,
+            "squeeze_force": need.predicted.squeeze_force if need.predicted.feasible else None,
+            "measured_lower": need.lower if need.predicted.feasible else None,
+            "measured_upper": need.upper if isfinite(need.upper) else None,
             "rho": grasp.rho,
         },
     )
+
+
+def _squeeze_verdict(need: SqueezeForce) -> str:
+    if not need.predicted.feasible:
+        return "NO CONSTANT SQUEEZE HOLDS"
+    return "CONFIRMED" if need.confirmed else "NOT CONFIRMED"
 
 
 def bench(
@@ -93,8 +106,8 @@ def bench(
         write=lambda out: write_bench(out, outcome, grasp=options.file.name),
         lines=[
             f"bench       fingertips squeeze with {outcome.squeeze:.5g} N; the object moved at most "
-            f"{1000 * outcome.translations.max():.3g} mm and {outcome.rotations.max():.3g} rad",
-            f"verdict     {'PASS' if outcome.passed else 'FAIL'} ({outcome.settings.name})",
+            f"{in_mm(outcome.translations.max(), 3)} mm and turned {np.rad2deg(outcome.rotations.max()):.3g} degrees",
+            f"verdict     {'PASS' if outcome.passed else 'FAIL'} ({outcome.settings.name}); this is not about rho",
             *(f"because     {reason}" for reason in outcome.reasons),
         ],
         summary={

@@ -21,7 +21,7 @@ class Options:
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json."""
 
     out: tuple[Path, ...] = ()
     """What to draw: a still of the end (.png), or a film (.gif, .mp4); by default NAME.png and NAME.gif in the current

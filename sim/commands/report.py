@@ -19,7 +19,7 @@ class Options:
     """
 
     files: tyro.conf.Positional[tuple[Path, ...]]
-    """One or more *.grasp.json; their side files must be beside them."""
+    """One or more *.grasp.json."""
 
     out: Path | None = None
     """The page to write, for a single file; by default NAME.report.html in the current folder."""

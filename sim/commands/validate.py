@@ -17,11 +17,17 @@ class Options:
 
     The verdict is pass when every wrench is held with the finger force capped at 1.02 rho, fail when one is not. It is
     "not trustworthy" when a control did not behave: the critical wrench must slip at 0.98 rho, less friction and
-    another contact must change the outcome as predicted, and nothing may creep without load.
+    another contact must change the outcome as predicted, and nothing may creep without load (under half of the critical
+    wrench, where the fingers only support and cannot squeeze). It is "not trustworthy" too when a wrench that slipped
+    lies on the friction limit, where no cap gives a margin.
+
+    A grasp that does not belong to its object is refused before anything is simulated: mass, task and candidates are
+    made again from the object as grasp-verify does, and compared; what of that cannot be checked is said. Whether the
+    bound is proven is not asked here.
     """
 
     file: tyro.conf.Positional[Path]
-    """A *.grasp.json; its side file must be beside it."""
+    """A *.grasp.json."""
 
     out: Path | None = None
     """The result to write; by default NAME.validation.json in the current folder (.squeeze.json and .bench.json in the
@@ -62,6 +68,7 @@ def validate_command(options: Options, console: Console) -> ExitCode:
     from planner.grasp_file import SUFFIX, read_grasp
     from planner.grasped_object import read_grasped_object
     from planner.lift import in_space
+    from planner.provenance.provenance import require_provenance
     from sim.commands.modes import MODES
 
     ending, test = MODES[options.mode]
@@ -70,7 +77,12 @@ def validate_command(options: Options, console: Console) -> ExitCode:
     grasp = read_grasp(options.file)
     if not grasp.found:
         raise GraspFileError(f"{options.file} holds no grasp (status {grasp.status}): there is nothing to validate")
-    rigid_object, grasp = in_space(read_grasped_object(grasp, options.object), grasp)
+    rigid_object = read_grasped_object(grasp, options.object)
+    console.show("comparing the grasp with its object")
+    for check in require_provenance(grasp, rigid_object):
+        if not check.holds:
+            console.say(f"unchecked   {check.claim} ({check.detail})")
+    rigid_object, grasp = in_space(rigid_object, grasp)
     console.show("building the scene")
     began = perf_counter()
     outcome = test(rigid_object, grasp, options, console.count)

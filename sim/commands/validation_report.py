@@ -18,6 +18,8 @@ def validation_lines(validation: Validation) -> list[str]:
     """The verdict and its evidence, line by line."""
     lines = []
     protocol = validation.protocol
+    if validation.vertices is not None:
+        lines.append("R0          the largest distance of a contact from the reference point; slips are relative to it")
     if validation.vertices is not None and validation.forces is not None:
         lines.append(_held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance))
         lines += _forces(validation.forces)

@@ -10,6 +10,7 @@ from typing import Annotated
 import tyro
 
 from planner.commands.console import Console
+from planner.commands.interruption import signals_as_exceptions
 from planner.commands.terminal import ExitCode, parse, run
 
 
@@ -23,7 +24,7 @@ class Options:
     """
 
     files: tyro.conf.Positional[tuple[Path, ...]]
-    """One or more *.grasp.json; their side files must be beside them."""
+    """One or more *.grasp.json."""
 
     trial: bool = False
     """Begin with the trial."""
@@ -62,6 +63,7 @@ def view_command(options: Options, console: Console) -> ExitCode:
 
     subjects = [read_subject(file, options.object) for file in options.files]
     server = serve(options.host, options.port)
+    signals_as_exceptions()  # Ctrl-C is how this command ends
     try:
         viewer = Viewer(server, subjects, trial=options.trial)
         viewer.refresh(0.0)  # so that the page has everything from the beginning

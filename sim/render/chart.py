@@ -64,7 +64,7 @@ class Chart:
         protocol = self.protocol
         grown = protocol.preload_time + protocol.ramp_time
         ends = (0.0, protocol.preload_time, grown, protocol.duration)
-        for start, stop, words in zip(ends[:-1], ends[1:], ("squeeze", "load grows", "hold"), strict=True):
+        for start, stop, words in zip(ends[:-1], ends[1:], ("press", "load grows", "hold"), strict=True):
             left, right = self._column(start), self._column(stop)
             sheet.line([(left, self.top), (left, self.bottom + 14)], 0.5, LINE)
             sheet.text((left + right) / 2, self.bottom + 9, words, SMALL, MUTED, "mm")

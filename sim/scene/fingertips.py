@@ -4,8 +4,9 @@ The end effector of a grasp whose hand is not known. Another one needs what `End
 after those of the object.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import compress
 from typing import Protocol
 
 import numpy as np
@@ -49,6 +50,9 @@ class Fingertips:
     torsion: float = 0.0
     """Torsional friction [m]."""
 
+    spared: np.ndarray | None = None
+    """Geoms of the object that a fingertip never touches, shape (contacts, geoms); None: it may touch all."""
+
     def attach(self, root: mjcf.RootElement, object_geoms: Sequence[mjcf.Element], physics: Physics) -> None:
         """See `EndEffector.attach`."""
         centers = self.contacts.points - self.radius * self.contacts.normals
@@ -58,7 +62,7 @@ class Fingertips:
                 body.add("joint", type="slide", axis=axis)
             name, size = tip_name(finger), [self.radius]
             tip = body.add("geom", name=name, type="sphere", size=size, mass=self.mass, contype=0, conaffinity=0)
-            for geom in object_geoms:
+            for geom in self._met(finger, object_geoms):
                 root.contact.add(
                     "pair",
                     geom1=tip,
@@ -71,6 +75,10 @@ class Fingertips:
                     gap=0,
                 )
             root.sensor.add("contact", name=name, geom1=tip, data=" ".join(SENSOR), num=1, reduce="maxforce")
+
+    def _met(self, finger: int, object_geoms: Sequence[mjcf.Element]) -> Iterator[mjcf.Element]:
+        """The geoms that one fingertip may touch."""
+        return iter(object_geoms) if self.spared is None else compress(object_geoms, ~self.spared[finger])
 
 
 def tip_name(finger: int) -> str:

@@ -37,6 +37,16 @@ class FloatingObject:
     joints: ObjectJoints = field(default_factory=FreeJoint)
     """How it may move."""
 
+    drag: float = 0.0
+    """Against its motion [N s/m]; against its rotation that times the square of its radius of gyration."""
+
+    @property
+    def damping(self) -> np.ndarray:
+        """Of each of its joints, shape (velocities,) [N s/m, N m s]."""
+        turning = np.trace(self.inertia) / (3 * self.mass)
+        along = np.arange(self.joints.velocities) < self.joints.translations
+        return self.drag * np.where(along, 1.0, turning)
+
     def attach(self, root: mjcf.RootElement) -> list[mjcf.Element]:
         """Add the body to a scene; returns its geoms, one for each part in order."""
         body = root.worldbody.add("body", name=OBJECT)

@@ -21,6 +21,10 @@ class ObjectJoints(Protocol):
     def velocities(self) -> int:
         """Numbers in qvel."""
 
+    @property
+    def translations(self) -> int:
+        """Numbers in qvel that are velocities along axes; those about axes follow."""
+
     def add_to(self, body: mjcf.Element) -> None:
         """Give the joints to the object's body, which stands at the origin."""
 
@@ -34,6 +38,7 @@ class FreeJoint:
 
     positions: int = 7
     velocities: int = 6
+    translations: int = 3
 
     def add_to(self, body: mjcf.Element) -> None:
         """See `ObjectJoints`."""
@@ -50,6 +55,7 @@ class PlanarJoints:
 
     positions: int = 3
     velocities: int = 3
+    translations: int = 2
 
     def add_to(self, body: mjcf.Element) -> None:
         """See `ObjectJoints`."""

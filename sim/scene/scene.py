@@ -62,6 +62,7 @@ def build_scene(held: FloatingObject, fingertips: Fingertips, physics: Physics) 
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
         raise SimulationError(f"MuJoCo cannot compile the scene: {error}") from error
+    model.dof_damping[: held.joints.velocities] = held.damping
     return Scene(
         model=model,
         contacts=fingertips.contacts,

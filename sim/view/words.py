@@ -27,8 +27,7 @@ def asked(subject: Subject, wrench: int) -> str:
     force, moment = np.split(grasp.task.wrenches[wrench], 2)
     critical = ", which is rho: the critical wrench" if wrench == grasp.critical_wrench else ""
     return (
-        f"force ({_triple(force)}) N · moment ({_triple(1e3 * moment)}) N mm\n\n"
-        f"needs **{grasp.phi[wrench]:.4g} N**{critical}"
+        f"force ({_triple(force)}) N · moment ({_triple(moment)}) N m\n\nneeds **{grasp.phi[wrench]:.4g} N**{critical}"
     )
 
 

@@ -12,7 +12,7 @@ from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp import Certificate
-from planner.planning import certificate_of
+from planner.proof_check import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem

@@ -10,6 +10,7 @@ import planner.decompose
 from planner.decompose import decompose
 from planner.errors import ObjectError
 from planner.objects.mjcf import read_object
+from planner.objects.object_source import ObjectSource
 from tests.planner.objects.cup import HALF, WALL, box_cup, mesh_cup
 
 
@@ -35,7 +36,8 @@ def test_a_filled_cup_is_opened_in_a_file_of_its_own(tmp_path: Path, caplog: pyt
     out.mkdir()
     original = mesh_cup(home)
     before = sorted(home.iterdir())
-    file, parts = decompose(original, None, out)
+    source, parts = decompose(ObjectSource(file=original), out)
+    file = source.file
     assert sorted(home.iterdir()) == before
     assert file.parent == out
     filled, opened = read_object(original), read_object(file)
@@ -49,17 +51,18 @@ def test_a_filled_cup_is_opened_in_a_file_of_its_own(tmp_path: Path, caplog: pyt
     assert opened.body == "cup"
     assert opened.mass == pytest.approx(filled.mass)
     stamp = file.stat().st_mtime_ns
-    assert decompose(original, None, out) == (file, parts)
+    again, same = decompose(ObjectSource(file=original), out)
+    assert (again.file, same) == (file, parts)
     assert file.stat().st_mtime_ns == stamp
 
 
 def test_an_object_without_hollows_is_planned_on_as_it_is(tmp_path: Path) -> None:
-    path = box_cup(tmp_path)
-    assert decompose(path, None, tmp_path) == (path, 5)
+    source = ObjectSource(file=box_cup(tmp_path))
+    assert decompose(source, tmp_path) == (source, 5)
 
 
 def test_without_coacd_the_error_says_how_to_get_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "coacd", None)
     with pytest.raises(ObjectError, match=r"pip install 'rhograsp\[decompose\]'"):
-        decompose(mesh_cup(tmp_path), None, tmp_path)
+        decompose(ObjectSource(file=mesh_cup(tmp_path)), tmp_path)
     assert not list(tmp_path.glob("*.convex.xml"))

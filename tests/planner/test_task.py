@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from planner.errors import TaskError
+from planner.objects.mjcf import read_object
+from planner.objects.object_source import ObjectSource
+from planner.objects.planar import read_planar
 from planner.task import Task, make_task
 from planner.toml_file import MAX_FILE_BYTES
 from planner.wrench_sets.cylinder import Cylinder
@@ -55,6 +58,70 @@ def test_a_file_may_name_a_preset_and_its_parameters(tmp_path: Path) -> None:
     assert np.abs(task.wrenches).max() == pytest.approx(0.5 * 20)
 
 
+NESTED = """<mujoco><worldbody>
+  <body name="table" pos="1 2 0" euler="0 0 90">
+    <body name="bar" euler="90 0 0" pos="0 0 1">{joint}<geom type="box" size=".05 .02 .03" mass="1"/></body>
+  </body>
+</worldbody></mujoco>"""
+"""Turned by 90 degrees about x, then about z: body z is world x, body y is up, body x is world y."""
+
+WORLD = """
+frame = "world"
+reference_point = [1, 2.1, 1.2]
+[set]
+kind = "polytope"
+wrenches = [[0, 0, -9.81, 0, 0, 0], [1, 2, 3, 4, 5, 6]]
+"""
+
+
+@pytest.mark.parametrize("joint", ["", "<joint type='slide'/>"])
+def test_a_task_in_the_world_frame_is_turned_into_the_body_as_its_file_places_it(tmp_path: Path, joint: str) -> None:
+    (tmp_path / "bar.xml").write_text(NESTED.format(joint=joint))
+    bar = read_object(ObjectSource(file=tmp_path / "bar.xml", body="bar"))
+    task = make_task(written(tmp_path, WORLD), bar)
+    np.testing.assert_allclose(task.reference_point, [0.1, 0.2, 0], atol=1e-12)
+    np.testing.assert_allclose(task.wrenches, [[0.0, -9.81, 0, 0, 0, 0], [2.0, 3, 1, 5, 6, 4]], atol=1e-12)
+    task = make_task(written(tmp_path, WORLD.replace("reference_point = [1, 2.1, 1.2]", "")), bar)
+    np.testing.assert_array_equal(task.reference_point, bar.center_of_mass)
+
+
+def test_a_task_that_names_no_frame_is_in_the_body_frame_whatever_the_pose(tmp_path: Path) -> None:
+    (tmp_path / "bar.xml").write_text(NESTED.format(joint=""))
+    bar = read_object(ObjectSource(file=tmp_path / "bar.xml", body="bar"))
+    for frame in ("", 'frame = "body"'):
+        task = make_task(written(tmp_path, WORLD.replace('frame = "world"', frame)), bar)
+        np.testing.assert_array_equal(task.reference_point, [1, 2.1, 1.2])
+        np.testing.assert_array_equal(task.wrenches[1], [1, 2, 3, 4, 5, 6])
+
+
+def test_work_does_not_depend_on_the_frame_a_task_is_written_in(tmp_path: Path) -> None:
+    """f . v + m . omega of any twist about the reference point is the same in both frames."""
+    (tmp_path / "bar.xml").write_text(NESTED.format(joint="").replace('"90 0 0"', '"30 40 50"'))
+    bar = read_object(ObjectSource(file=tmp_path / "bar.xml", body="bar"))
+    turn = bar.pose_in_file.rotation
+    twists = np.random.Generator(np.random.PCG64(0)).normal(size=(5, 2, 3))
+    wrenches = make_task(written(tmp_path, WORLD), bar).wrenches
+    work = np.array([[0, 0, -9.81, 0, 0, 0], [1, 2, 3, 4, 5, 6]]) @ (twists @ turn.T).reshape(5, 6).T
+    np.testing.assert_allclose(wrenches @ twists.reshape(5, 6).T, work, atol=1e-12)
+
+
+def test_a_planar_object_has_no_world(tmp_path: Path) -> None:
+    planar = read_planar(ASSETS / "planar" / "convex.toml")
+    text = 'frame = "world"\nset = {kind = "single", wrench = [0, -5, 0]}'
+    with pytest.raises(TaskError, match="a planar object has only its own"):
+        make_task(written(tmp_path, text), planar)
+
+
+@pytest.mark.parametrize("text", ["name = 'a'", "[set]\nkind = 'sphere'", "", "set = ", "[set]\nkind = 'box'"])
+@pytest.mark.parametrize("planar", [False, True])
+def test_a_complaint_shows_a_whole_file_that_works(tmp_path: Path, text: str, planar: bool) -> None:
+    thing = read_planar(ASSETS / "planar" / "convex.toml") if planar else brick()
+    with pytest.raises(TaskError) as caught:
+        make_task(written(tmp_path, text), thing)
+    _, sample = str(caught.value).split("can be: ")
+    assert len(make_task(written(tmp_path, sample), thing).wrenches) == 1
+
+
 @pytest.mark.parametrize("path", sorted((ASSETS / "tasks").glob("*.toml")), ids=lambda path: path.stem)
 def test_the_shipped_task_files_load(path: Path) -> None:
     assert make_task(str(path), brick()).name == path.stem
@@ -65,6 +132,7 @@ def test_the_shipped_task_files_load(path: Path) -> None:
     [
         ("name = ", "Invalid value"),
         ("name = 'a'", "missing required field `set`"),
+        ("frame = 'hand'\n[set]\nkind = 'box'", r"Invalid enum value 'hand' - at `\$\.frame`"),
         ("color = 1\n[set]\nkind = 'box'", "unknown field `color`"),
         ("name = 3\n[set]\nkind = 'box'", r"Expected `str.*\$\.name"),
         ("[set]\nkind = 'sphere'", "set.kind is 'sphere'; allowed: ball, box, .*, paper, gravity, axes6"),
@@ -101,7 +169,7 @@ def test_a_broken_file_is_refused_with_the_place_and_what_is_allowed(tmp_path: P
 
 @pytest.mark.parametrize("choice", ["papre", "", ".", "a\0b", 5000 * "x"])
 def test_what_is_neither_preset_nor_file_is_refused_with_the_presets(choice: str) -> None:
-    with pytest.raises(TaskError, match="presets paper, gravity, axes6"):
+    with pytest.raises(TaskError, match="presets paper, gravity, axes6 need no file; a whole task file can be: set = "):
         make_task(choice, brick())
 
 
@@ -112,7 +180,7 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
 
 
 def test_an_endless_file_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(TaskError, match=f"longer than {MAX_FILE_BYTES} bytes"):
+    with pytest.raises(TaskError, match=f"larger than {MAX_FILE_BYTES} bytes"):
         make_task(written(tmp_path, SCREWDRIVER + MAX_FILE_BYTES * "#"), brick())
 
 

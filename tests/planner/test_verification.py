@@ -1,18 +1,23 @@
 """`verify` accepts the golden grasp and notices each kind of lie."""
 
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from planner.contacts import Contacts
+from planner.candidates.choice import make_candidates
+from planner.contacts import Contacts, grasp_maps
 from planner.grasp import Certificate, Grasp
+from planner.objects.rigid_object import RigidObject
+from planner.planning import plan
 from planner.search.result import Status
+from planner.task import make_task
 from planner.verification import verify
 
 
 def failures(grasp: Grasp) -> list[str]:
-    return [check.claim for check in verify(grasp) if not check.holds]
+    return [check.claim for check in verify(grasp) if check.fails]
 
 
 def test_the_golden_grasp_is_true(golden_grasp: Grasp) -> None:
@@ -107,3 +112,22 @@ def test_a_better_grasp_of_the_same_candidates_would_be_noticed(golden_grasp: Gr
     certificate = Certificate(candidates=better, cuts=golden_grasp.certificate.cuts)
     assert any("need less than" in claim for claim in failures(replace(golden_grasp, certificate=certificate)))
     assert np.all(golden_grasp.certificate.candidates.friction == 0.3)
+
+
+def test_wrong_moments_in_all_that_the_search_uses_are_noticed(
+    prism: RigidObject, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing that verifies takes its moments from where the search does."""
+
+    def halved(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
+        maps = grasp_maps(points, reference_point)
+        maps[:, 3:] /= 2
+        return maps
+
+    for name, module in list(sys.modules.items()):
+        if name.startswith("planner.") and hasattr(module, "grasp_maps"):
+            monkeypatch.setattr(module, "grasp_maps", halved)
+    wrong = plan(prism, make_task("paper", prism), make_candidates(prism, "20", 0.5), fingers=3)
+    claims = failures(wrong)
+    assert "the forces balance every wrench" in claims
+    assert "an independent solver finds the same forces for every wrench" in claims

@@ -30,7 +30,7 @@ def numbers(pattern: str, text: str) -> list[float]:
 
 def test_an_own_object_is_planned_checked_and_shown(tmp_path: Path) -> None:
     text = output("own_object", "--folder", tmp_path)
-    assert says(text, "7 of 7 claims hold")
+    assert says(text, "14 of 14 claims hold")
     assert read_grasp(tmp_path / "hammer.grasp.json").rho == pytest.approx(
         numbers(r"need ([\d.]+) N, on", text)[0], 1e-3
     )

@@ -9,6 +9,7 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.box import Box
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.pose import Pose
@@ -61,7 +62,7 @@ def rigid_object(*parts: ConvexPart) -> RigidObject:
     """An object of these parts; its mass plays no role in a validation."""
     corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in parts])
     return RigidObject(
-        file=Path("object.xml"),
+        source=ObjectSource(file=Path("object.xml")),
         sha256="0" * 64,
         body="object",
         parts=parts,

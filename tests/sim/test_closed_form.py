@@ -6,15 +6,18 @@ import numpy as np
 import pytest
 
 from planner.contacts import Contacts
-from sim.experiment import experiment_scene
+from sim.experiment import floating_object
 from sim.measurement import Measurement, measure
 from sim.protocol import ACTIVE, ValidationProtocol
+from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
+from sim.scene.scene import build_scene
 from sim.scene.units import similarity
 from sim.trial import Trial, run
 from tests.sim.planned import box
 
 FRICTION, PRESS = 0.4, 1.0
+RADIUS = 0.04 * ACTIVE.reach
 
 
 def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: ValidationProtocol = ACTIVE) -> Measurement:
@@ -22,13 +25,20 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: Validation
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
     units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
-    touching = units.contacts(contacts)
-    scene = experiment_scene([box((0.05, 0.02, 0.03))], touching, units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint())
+    tips = Fingertips(contacts=units.contacts(contacts), radius=RADIUS, mass=protocol.tip_mass)
+    held = floating_object([box((0.05, 0.02, 0.03))], units, protocol, FreeJoint())
+    scene = build_scene(held, tips, protocol)
     down = np.zeros((len(weights), 6))
     down[:, 2] = -weights
     press = np.repeat(PRESS * contacts.normals[None], len(weights), axis=0)
     lift = 0.5 * weights[:, None, None] * np.array([0, 0, 1.0])
-    trial = Trial(wrenches=down, caps=np.full(len(weights), 10.0), preloads=press, forces=press + lift)
+    trial = Trial(
+        wrenches=down,
+        caps=np.full(len(weights), 10.0),
+        preloads=press,
+        preload_wrenches=np.zeros_like(down),
+        forces=press + lift,
+    )
     return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
 
 
@@ -51,7 +61,7 @@ def test_the_finger_with_less_friction_is_the_one_that_slips() -> None:
 
 
 def test_a_box_that_nothing_holds_falls_as_newton_says() -> None:
-    to_the_end = replace(ACTIVE, gone=np.inf)
+    to_the_end = replace(ACTIVE, gone=np.inf, object_damping=0.0)
     outcome = squeezed_box(np.array([0.0, 30.0]), np.full(2, 1e-4), to_the_end)
     fall_time = ACTIVE.hold_time
     assert outcome.held[0] and not outcome.held[1]

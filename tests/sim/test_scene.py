@@ -9,10 +9,11 @@ import pytest
 from planner.contacts import Contacts
 from planner.objects.mjcf import read_object
 from planner.objects.rigid_object import RigidObject
-from sim.experiment import experiment_scene
+from sim.experiment import floating_object
 from sim.protocol import ACTIVE
+from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
-from sim.scene.scene import Scene
+from sim.scene.scene import Scene, build_scene
 from sim.scene.units import Similarity, similarity
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
@@ -85,9 +86,8 @@ def scene_of(rigid_object: RigidObject) -> tuple[Scene, Similarity]:
     points = rigid_object.center_of_mass + rigid_object.size * np.array([(-3.0, 0, 0), (3.0, 0, 0)])
     contacts = Contacts(points=points, normals=np.array([(1.0, 0, 0), (-1.0, 0, 0)]), friction=np.full(2, 0.5))
     units = similarity(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
-    return experiment_scene(
-        rigid_object.parts, units.contacts(contacts), units, ACTIVE, ACTIVE.tip_radii[0], FreeJoint()
-    ), units
+    tips = Fingertips(contacts=units.contacts(contacts), radius=0.04 * ACTIVE.reach, mass=ACTIVE.tip_mass)
+    return build_scene(floating_object(rigid_object.parts, units, ACTIVE, FreeJoint()), tips, ACTIVE), units
 
 
 def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:

@@ -12,6 +12,8 @@ from planner.contacts import Contacts
 from planner.objects.mjcf import read_object
 from planner.planning import plan
 from planner.task import make_task
+from sim.commands.modes import MODES
+from sim.commands.validate import Options
 from sim.squeeze import SQUEEZE, SqueezeForce, measure_squeeze_force
 from sim.squeeze_file import FORMAT, SqueezeDocument, to_document, write_squeeze
 from tests.commands import ASSETS
@@ -85,3 +87,22 @@ def test_what_is_written_is_read_back_with_every_setting(tmp_path: Path) -> None
     document = msgspec.json.decode(path.read_bytes(), type=SqueezeDocument)
     assert document == to_document(case_iii(), held, rho=0.669, grasp="prism.grasp.json")
     assert document.format == FORMAT and document.protocol == SQUEEZE
+
+
+def test_the_command_says_that_no_constant_squeeze_can_hold_a_load_that_only_needs_support(tmp_path: Path) -> None:
+    (tmp_path / "bar.xml").write_text(
+        '<mujoco><worldbody><body name="bar"><freejoint/><geom type="box" size=".02 .06 .02" mass="1"/></body>'
+        "</worldbody></mujoco>"
+    )
+    (tmp_path / "rest.csv").write_text("-0.02,0.04,0\n-0.02,-0.04,0\n0,0.04,-0.02\n0,-0.04,-0.02\n")
+    (tmp_path / "rest.toml").write_text('[set]\nkind = "single"\nwrench = [-7, 0, -7, 0, 0, 0]\n')
+    bar = read_object(tmp_path / "bar.xml")
+    task = make_task(str(tmp_path / "rest.toml"), bar)
+    grasp = plan(bar, task, make_candidates(bar, str(tmp_path / "rest.csv"), 0.3, seed=0), 4)
+    options = Options(file=tmp_path / "bar.grasp.json", mode="squeeze")
+    outcome = MODES["squeeze"][1](bar, grasp, options, lambda *_: None)
+    assert not outcome.passed
+    assert "no constant squeeze can hold this load" in outcome.lines[0]
+    assert "inf" not in " ".join(outcome.lines)
+    assert outcome.summary["squeeze_force"] is outcome.summary["measured_upper"] is None
+    assert not outcome.summary["holdable"]

@@ -18,7 +18,8 @@ function headline() {
     title(),
     el("p", { class: "rho" }, `${number(data.rho, 4)} N`),
     el("p", { class: "muted" }, "the force that every finger must be able to push with"
-      + (unequal ? ", times its strength" : "")),
+      + (unequal ? ", times its strength" : "")
+      + `; the largest normal force of a finger, the grip, is ${number(data.grip, 4)} N`),
     el("div", { class: "track", role: "img", "aria-label": "proven interval of the smallest possible force" },
       el("span", { class: "proven", style: `width:${scale * share}%` }),
       el("span", { class: "open", style: `left:${scale * share}%;width:${scale * (100 - share)}%` }),
@@ -52,15 +53,16 @@ function absence() {
 
 /** What proves that there is no grasp, in paragraphs. */
 function proof() {
-  const { cuts, hopeless_wrench: wrench } = data.proof;
+  const { cuts, hopeless_wrench: wrench, reasons, remedies } = data.proof;
+  const helping = remedies.map((words) => el("p", {}, `May help: ${words}.`));
   if (wrench !== null) {
     return [el("p", {}, `One direction proves it: no candidate can push the object along it, and wrench ${wrench} of `
       + "the task asks for that. Purple in the picture is this load, which no number of fingers on these candidates can "
-      + "balance:"), el("p", { id: "load", class: "muted" }, loadWords(wrench))];
+      + "balance:"), el("p", { id: "load", class: "muted" }, loadWords(wrench)), ...helping];
   }
-  return [el("p", {}, cuts === 0
-    ? "The moment about the line through two contacts proves it, whichever they are: hard fingers cannot resist it."
-    : `The certificate beside the file proves it with ${count(cuts)} cuts; grasp-verify checks it without a solver.`)];
+  const certified = cuts === 0 ? [] : [el("p", {}, "The certificate beside the file proves it with "
+    + `${count(cuts)} cuts; grasp-verify checks it without a solver.`)];
+  return [...reasons.map((words) => el("p", {}, `Because ${words}.`)), ...certified, ...helping];
 }
 
 function wrenchPanel() {
@@ -127,7 +129,7 @@ function show(position) {
 function contactPanel() {
   const heads = ["", "x, y, z [mm]", "friction", ...(unequal ? ["strength"] : []), "on"];
   return section("Contacts", table(heads, data.contacts.map((contact, i) => [badge(i),
-    contact.position.map((x) => (1000 * x).toFixed(2)).join(", "), number(contact.friction, 3),
+    contact.position.map((x) => (1000 * x).toFixed(3)).join(", "), number(contact.friction, 3),
     ...(unequal ? [number(contact.strength, 3)] : []), contact.geom])));
 }
 

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from planner.errors import ObjectError
+from planner.millimetres import in_mm
 
 MERGE_TOLERANCE = 1e-6
 """Largest distance of a facet's corners from its plane, relative to the diagonal of the vertices' bounding box."""
@@ -62,8 +63,8 @@ def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
     thickness = (offsets - (scaled @ normals.T).min(axis=0)).min()
     if thickness < LEAST_THICKNESS:
         raise ObjectError(
-            f"geom '{geom}' is flat: its hull is {thickness * diagonal:.2g} m thick and {diagonal:.2g} m long; "
-            f"a collision geom must be thicker than {LEAST_THICKNESS:g} of its length"
+            f"geom '{geom}' is flat: its hull is {in_mm(thickness * diagonal, 2)} mm thick and {in_mm(diagonal, 2)} mm "
+            f"long; a collision geom must be thicker than {LEAST_THICKNESS:g} of its length"
         )
     outlines = [_polygon(scaled, *group) for group in _coplanar_groups(scaled, hull)]
     polygons = [outline for outline in outlines if len(outline) >= 3]

@@ -69,7 +69,7 @@ def bound_rows(
     bounds: np.ndarray,
     cuts: np.ndarray,
 ) -> None:
-    """Lower the bounds of rows until a cut prunes them or no cut can.
+    """Lower the bounds of rows until a cut prunes them or no cut can; those that are pruned already stay as they are.
 
     Only blocks whose minima sum to the threshold or less are read, no cut of the others can prune; where there is none,
     the most promising one is read for the bound it gives.
@@ -81,11 +81,13 @@ def bound_rows(
         blocks: Blocks in use.
         threshold: Rows whose bound falls to this value or below are pruned [1/N].
         bounds: Valid upper bounds on 1 / rho of the rows, lowered in place, shape (rows,) [1/N].
-        cuts: Number of the cut that gave each bound, or unchanged, set in place, shape (rows,).
+        cuts: Column of the cut that gave each bound, or unchanged where none lowered it, set in place, shape (rows,).
     """
     sums = np.empty(BLOCK, np.float32)
     promise = np.empty(blocks, np.float32)
     for row in range(len(rows)):
+        if bounds[row] <= threshold:
+            continue
         nodes = rows[row]
         _add_up(block_minima, nodes, 0, blocks, promise)
         least = np.float32(NO_BOUND)

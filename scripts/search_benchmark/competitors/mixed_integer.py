@@ -11,6 +11,7 @@ import time
 import highspy
 import numpy as np
 
+from planner.forces.quiet_highs import QuietHighs
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
 from planner.search.local_search import add_vertex_cuts
@@ -93,11 +94,10 @@ class _Model:
         coefficients = np.append(-values / self.unit, 1.0)
         self.master.addRow(-highspy.kHighsInf, 0.0, len(coefficients), np.arange(len(coefficients)), coefficients)
 
-    def _master(self) -> highspy.Highs:
+    def _master(self) -> QuietHighs:
         """x and t, and the number of fingers."""
         count = len(self.problem.contacts)
-        master = highspy.Highs()
-        master.setOptionValue("output_flag", False)
+        master = QuietHighs()
         master.setOptionValue("mip_rel_gap", MASTER_GAP * self.gap)
         master.addVars(count + 1, np.zeros(count + 1), np.ones(count + 1))
         for candidate in range(count):

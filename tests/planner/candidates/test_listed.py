@@ -77,7 +77,7 @@ def test_the_tolerance_is_relative_to_the_size() -> None:
 def test_files_of_points_are_read(tmp_path: Path, text: str) -> None:
     path = tmp_path / "points.csv"
     path.write_text(text, encoding="utf-8")
-    assert read_points(path).tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert read_points(path).points.tolist() == [[1, 2, 3], [4, 5, 6]]
 
 
 @pytest.mark.parametrize(

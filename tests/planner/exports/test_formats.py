@@ -161,7 +161,7 @@ def test_broken_or_foreign_npy_files_are_refused(tmp_path: Path) -> None:
     (tmp_path / "text.npy").write_text("no array")
     (tmp_path / "greedy.npy").write_bytes(good[:128] + pickle.dumps(np.zeros(3))[:-1] + b"\x8b\xff\xff\xff\x7f.")
     for name, message in (
-        ("plain", "float64"), ("cut", "safely"), ("text", "safely"), ("greedy", "safely"), ("none", "cannot read"),
+        ("plain", "float64"), ("cut", "safely"), ("text", "safely"), ("greedy", "safely"), ("none", "cannot be read"),
     ):  # fmt: skip
         with pytest.raises(GraspFileError, match=message):
             read_pickled_dictionary(tmp_path / f"{name}.npy")

@@ -236,7 +236,7 @@ def test_a_search_stopped_before_its_first_grasp_says_what_is_open(prism: RigidO
 
 
 def test_a_planar_object_without_a_grasp_has_a_page() -> None:
-    plate = read_object_file(ASSETS / "planar" / "convex.toml", None)
+    plate = read_object_file(ASSETS / "planar" / "convex.toml")
     grasp = plan(plate, make_task("paper", plate), make_candidates(plate, "20", 0.3, seed=0), fingers=1)
     assert grasp.status is Status.INFEASIBLE
     assert "<title>plate: no grasp (infeasible)</title>" in report_page(plate, grasp, "plate.grasp.json")

@@ -150,3 +150,9 @@ def test_highs_knows_every_option() -> None:
     for option, value in OPTIONS.items():
         assert solver.setOptionValue(option, value) == highspy.HighsStatus.kOk
         assert solver.getOptionValue(option)[1] == value
+
+
+def test_solvers_print_nothing_while_they_are_made_and_solve(capfd: pytest.CaptureFixture[str]) -> None:
+    relaxed_phi(random_problem(np.random.default_rng(0), 3, 3, feasible=True))
+    RelaxedForces(3, 3)
+    assert capfd.readouterr() == ("", "")

@@ -115,7 +115,7 @@ def test_the_shipped_files_fit_the_assets_of_their_names(path: Path) -> None:
         (9 * "[[finger]]\n", r"9 tables \[\[finger\]\]; at most 8"),
         ("a = " + 5000 * "[", "limits file"),
         ("spacing = 1" + 400 * "0", "limits file"),
-        ("spacing = 0 #" + MAX_FILE_BYTES * "#", f"longer than {MAX_FILE_BYTES} bytes"),
+        ("spacing = 0 #" + MAX_FILE_BYTES * "#", f"larger than {MAX_FILE_BYTES} bytes"),
     ],
 )
 def test_a_broken_file_is_refused_with_its_name_and_what_is_allowed(tmp_path: Path, text: str, message: str) -> None:
@@ -123,6 +123,17 @@ def test_a_broken_file_is_refused_with_its_name_and_what_is_allowed(tmp_path: Pa
     with pytest.raises(LimitsError, match=message) as caught:
         read_limits(path, brick())
     assert str(path) in str(caught.value)
+
+
+def test_limits_are_read_from_a_path_given_as_text(tmp_path: Path) -> None:
+    assert read_limits(str(written(tmp_path, "span = 0.1")), brick()).span == 0.1
+
+
+def test_a_complaint_about_the_content_shows_a_whole_file_that_works(tmp_path: Path) -> None:
+    with pytest.raises(LimitsError) as caught:
+        read_limits(written(tmp_path, "spam = 0.1"), brick())
+    _, sample = str(caught.value).split("can be: ")
+    assert read_limits(written(tmp_path, sample), brick()).span == 0.12
 
 
 def test_a_planar_object_has_planar_limits(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.objects.object_source import ObjectSource
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
 from planner.objects.parts.cylinder import Cylinder
@@ -42,7 +43,7 @@ def rigid_object(*parts: ConvexPart) -> RigidObject:
     """An object of these parts; its mass properties mean nothing."""
     corners = np.concatenate([part.bounds() for part in parts])
     return RigidObject(
-        file=Path("made.xml"),
+        source=ObjectSource(file=Path("made.xml")),
         sha256="",
         body="made",
         parts=parts,

@@ -266,10 +266,10 @@ def test_masses_are_those_of_the_compiled_model_whichever_geom_carries_them(tmp_
 
 
 @pytest.mark.parametrize(
-    ("mass", "doubt"), [(0.001, "lighter than foam"), (0.03, None), (2.0, None), (20.0, "heavier than gold")]
+    ("mass", "doubt"), [(9e-4, "lighter than foam"), (1.1e-3, None), (2.4, None), (2.6, "heavier than any metal")]
 )
 def test_absurd_masses_are_doubted(tmp_path: Path, mass: float, doubt: str | None) -> None:
-    """A litre weighs a gram, or 200 kg: the cube here holds 0.1 litres."""
+    """Less than 10 or more than 25,000 kg per m3: the cube here holds 0.1 litres."""
     half = 1e-4 ** (1 / 3) / 2
     thing = read(tmp_path, f'<body><geom type="box" size="{half} {half} {half}" mass="{mass}"/></body>')
     assert ["heavier" in each or "lighter" in each for each in mass_doubts(thing)] == ([True] if doubt else [])
@@ -288,3 +288,25 @@ def test_contact_settings_of_the_file_do_not_move_the_surface(tmp_path: Path) ->
     middles = np.where(contacts.friction == 0.3, 0.0, 0.05)
     centers = np.column_stack([np.zeros((100, 2)), middles])
     np.testing.assert_allclose(np.linalg.norm(contacts.points - centers, axis=1), radii, rtol=1e-9)
+
+
+@pytest.mark.parametrize("sunk", [0.0, 0.01, 0.02, 0.03])
+def test_a_colliding_mesh_that_is_buried_in_another_part_is_no_visual_difference(tmp_path: Path, sunk: float) -> None:
+    """A knob of 40 mm on a block of 80 mm, sunk into it by some of its height; a shift of what is seen still shows."""
+    trimesh.creation.box([0.04, 0.04, 0.04]).export(tmp_path / "knob.stl")
+    block = '<geom type="box" size=".04 .04 .04"/>'
+    knob = f'<geom type="mesh" mesh="knob" pos="0 0 {0.06 - sunk}"/>'
+    asset = '<mesh name="knob" file="knob.stl"/>'
+    difference = visual_difference(read(tmp_path, f"<body>{block}{knob}</body>", asset))
+    assert difference is not None
+    assert difference.largest < 1e-6
+    shown = f'<geom type="mesh" mesh="knob" pos="0 0 {0.063 - sunk}" contype="0" conaffinity="0"/>'
+    shifted = visual_difference(read(tmp_path, f"<body>{block}{knob}{shown}</body>", asset))
+    assert shifted is not None
+    assert shifted.largest > 2e-3
+
+
+def test_a_mesh_inside_another_part_shows_nothing_to_compare(tmp_path: Path) -> None:
+    trimesh.creation.box([0.02, 0.02, 0.02]).export(tmp_path / "core.stl")
+    body = '<body><geom type="box" size=".04 .04 .04"/><geom type="mesh" mesh="core"/></body>'
+    assert visual_difference(read(tmp_path, body, '<mesh name="core" file="core.stl"/>')) is None

@@ -7,6 +7,7 @@ import pytest
 
 from planner.errors import ObjectError
 from planner.objects.object_file import read_object_file
+from planner.objects.object_source import ObjectSource
 from planner.objects.planar import read_planar
 from planner.objects.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
@@ -86,7 +87,7 @@ def test_files_that_cannot_be_read_are_refused(tmp_path: Path) -> None:
         read_planar(tmp_path / "nowhere.toml")
     with pytest.raises(ObjectError, match="cannot be read"):
         read_planar(Path("\0.toml"))
-    with pytest.raises(ObjectError, match="longer than"):
+    with pytest.raises(ObjectError, match="larger than"):
         read_planar(written(tmp_path, TRIANGLE + "#" * MAX_FILE_BYTES, "long.toml"))
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(ObjectError, match="not a planar object"):
@@ -98,7 +99,7 @@ def test_files_that_cannot_be_read_are_refused(tmp_path: Path) -> None:
 def test_what_a_file_is_decides_how_it_is_read(tmp_path: Path) -> None:
     wedge = written(tmp_path, TRIANGLE, "wedge.toml")
     assert isinstance(read_object_file(wedge), PlanarObject)
-    assert isinstance(read_object_file(wedge, "wedge"), PlanarObject)
+    assert isinstance(read_object_file(ObjectSource(file=wedge, body="wedge")), PlanarObject)
     assert isinstance(read_object_file(PRISM), RigidObject)
     with pytest.raises(ObjectError, match=r"no body 'lid'.*one, 'wedge'"):
-        read_object_file(wedge, "lid")
+        read_object_file(ObjectSource(file=wedge, body="lid"))

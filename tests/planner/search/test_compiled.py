@@ -8,6 +8,7 @@ import pytest
 
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
+from planner.search.bounded_rows import NO_CUT, BoundedRows
 from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
 from planner.search.finger_kind import FingerKind
@@ -59,11 +60,30 @@ def test_every_row_is_bounded_by_its_smallest_sum_of_maxima() -> None:
         rows = np.sort(generator.integers(0, len(tree.start), (200, problem.fingers)), axis=1)
         exact = np.array([min(sum(table.values[below(tree, node)].max(axis=0) for node in row)) for row in rows])
         threshold = float(np.median(exact))
-        found = bounds.bound(rows, np.full(len(rows), np.inf), threshold)
-        assert ((found <= threshold) == (exact * RAISED <= threshold)).all()
-        assert (found >= exact).all()  # rounded outward: never below the truth
+        found = bounds.bound(BoundedRows.unbounded(rows), threshold)
+        assert ((found.bounds <= threshold) == (exact * RAISED <= threshold)).all()
+        assert (found.bounds >= exact).all()  # rounded outward: never below the truth
         assert (exact <= threshold).sum() > 50
-        assert len(bounds.useful) > 1
+        given = [
+            sum(table.values[below(tree, node), cut].max() for node in row)
+            for row, cut in zip(rows, found.cuts, strict=True)
+        ]
+        np.testing.assert_allclose(found.bounds, given, rtol=2e-6)  # by the very cut that travels with the bound
+        assert len(set(found.cuts.tolist())) > 1
+
+
+def test_a_row_that_is_pruned_by_what_is_known_keeps_the_cut_that_proves_it() -> None:
+    """As when the threshold has risen since its parent was bounded: no cut need be looked for, and none else named."""
+    problem = PROBLEMS[0]
+    table, tree = table_of(problem, 30), build_tree(problem)
+    bounds = NodeBounds(tree, table)
+    bounds.extend()
+    root = bounds.bound(BoundedRows.unbounded(tree.first_row[None]), 0.0)
+    assert root.cuts != NO_CUT
+    risen = 1.5 * float(root.bounds[0])
+    children = bounds.bound(split(root, tree), risen)
+    assert (children.cuts == root.cuts[0]).all()
+    assert (children.bounds == root.bounds[0]).all()
 
 
 def test_the_best_partner_is_that_of_all_sums() -> None:
@@ -91,7 +111,7 @@ def test_splitting_down_to_single_candidates_meets_every_subset_once() -> None:
                 met += [tuple(sorted(tree.order[tree.start[row]].tolist())) for row in rows[single]]
                 rows = rows[~single]
                 if len(rows):
-                    rows, _ = split(rows, tree)
+                    rows = split(BoundedRows.unbounded(rows), tree).nodes
             wanted = [subset for subset in combinations(range(count), each.fingers) if each.admits(np.array(subset))]
             assert sorted(met) == wanted
 

@@ -12,7 +12,7 @@ from planner.contacts import Contacts, contact_frames
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.planning import certificate_of
+from planner.proof_check import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search

@@ -4,13 +4,14 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.objects.object_source import ObjectSource
 from planner.objects.rigid_object import RigidObject
 
 
 def brick(mass: float = 0.5) -> RigidObject:
     """Mass and extent, which is all that most presets ask for."""
     return RigidObject(
-        file=Path("brick.xml"),
+        source=ObjectSource(file=Path("brick.xml")),
         sha256="",
         body="brick",
         parts=(),

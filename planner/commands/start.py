@@ -1,0 +1,39 @@
+"""Where the planner's commands begin: signals are watched before anything else is imported."""
+
+import os
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from importlib import import_module
+
+from planner.commands.interruption import ignore_signals, watch_signals
+
+
+def starting(module: str) -> Callable[[], None]:
+    """The entry point that calls `main` of a module, which always leaves through `SystemExit`."""
+
+    def start() -> None:
+        watch_signals()
+        try:
+            import_module(module).main()
+        except SystemExit as leaving:
+            ignore_signals()
+            _leave(leaving)
+
+    return start
+
+
+def _leave(leaving: SystemExit) -> None:
+    """End now: taking down all that the solvers have loaded takes up to a second, and everything is written."""
+    if not isinstance(leaving.code, int):
+        raise leaving
+    with suppress(OSError):  # nobody reads it any more
+        sys.stdout.flush()
+        sys.stderr.flush()
+    os._exit(leaving.code)
+
+
+plan = starting("planner.commands.plan")
+verify = starting("planner.commands.verify")
+convert = starting("planner.commands.convert")
+inspect = starting("planner.commands.inspect")

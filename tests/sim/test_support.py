@@ -1,0 +1,170 @@
+"""Loads that only need support: no internal force fits the contacts' cones, and the grasp is true nevertheless."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from planner.candidates.choice import make_candidates
+from planner.contact_models.friction_cone import components
+from planner.contacts import Contacts, grasp_maps
+from planner.objects.mjcf import read_object
+from planner.objects.parts.sphere import Sphere
+from planner.objects.planar import read_planar
+from planner.objects.pose import Pose
+from planner.planning import plan
+from planner.search.certified import CertifiedSearch
+from planner.task import make_task
+from sim.adaptive import adaptive_trial
+from sim.commands.modes import MODES
+from sim.commands.validate import Options
+from sim.commands.validation_report import validation_lines
+from sim.prediction import on_friction_limit
+from sim.protocol import ACTIVE
+from sim.scene.units import similarity
+from sim.schedule import fractions
+from sim.validation import validate
+from sim.verdict import Verdict
+from tests.commands import ASSETS
+from tests.sim.planned import Planned, box
+from tests.sim.test_feed_forward import grasp_and_wrench
+
+WEIGHT = 9.81
+ORIGIN = np.zeros(3)
+
+
+def bar_in_v_block(friction: float) -> Planned:
+    """A square bar rests with two faces on four fingers, gravity along the diagonal of its section."""
+    points = np.array([(-0.02, 0.04, 0), (-0.02, -0.04, 0), (0, 0.04, -0.02), (0, -0.04, -0.02)])
+    normals = np.array([(1.0, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, 1)])
+    contacts = Contacts(points=points, normals=normals, friction=np.full(4, friction))
+    down = WEIGHT * np.array([[-np.sqrt(0.5), 0, -np.sqrt(0.5), 0, 0, 0]])
+    return Planned(parts=(box((0.02, 0.06, 0.02)),), contacts=contacts, reference_point=ORIGIN, wrenches=down)
+
+
+def ball_on_fingers(friction: float, tilt: float, sideways: float = 0.0) -> Planned:
+    """A ball on three fingers below it, `tilt` off the pole: a nose without the cone."""
+    around = np.deg2rad([0.0, 120.0, 240.0])
+    polar = np.deg2rad(tilt)
+    outward = np.stack(
+        [np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.full(3, -np.cos(polar))], axis=1
+    )
+    ball = Sphere(pose=Pose.identity(), radius=0.03, geom="ball", friction=friction)
+    contacts = Contacts(points=0.03 * outward, normals=-outward, friction=np.full(3, friction))
+    down = np.array([[0, 0, -WEIGHT, 0, 0, 0], [sideways * WEIGHT, 0, -WEIGHT, 0, 0, 0]])
+    return Planned(parts=(ball,), contacts=contacts, reference_point=ORIGIN, wrenches=down)
+
+
+def block_on_table(sideways: float) -> Planned:
+    """A flat block on three fingers, pushed sideways by this part of its weight."""
+    points = np.array([(0.02, 0, -0.01), (-0.01, 0.015, -0.01), (-0.01, -0.015, -0.01)])
+    contacts = Contacts(points=points, normals=np.tile([0.0, 0, 1], (3, 1)), friction=np.full(3, 0.4))
+    push = WEIGHT * np.array([[sideways, 0, -1, 0, 0.01 * sideways, 0]])
+    return Planned(parts=(box((0.03, 0.03, 0.01)),), contacts=contacts, reference_point=ORIGIN, wrenches=push)
+
+
+@pytest.mark.parametrize("friction", [0.3, 0.6, 1.1])
+def test_a_bar_in_a_v_block_needs_the_force_of_the_closed_form_and_is_confirmed(friction: float) -> None:
+    """rho = W / (4 cos(45 deg - atan mu)), and W / 4 from mu = 1 on."""
+    planned = bar_in_v_block(friction)
+    pencil = WEIGHT / 4 / np.cos(max(np.pi / 4 - np.arctan(friction), 0.0))
+    assert planned.phi.max() == pytest.approx(pencil, rel=1e-6)
+    validation = planned.validated()
+    assert validation.verdict, validation.reasons
+    assert not validation.controls[0].held[0]  # at 0.98 rho it slips
+    friction_control = validation.controls[2]
+    assert (~friction_control.expected).any() and friction_control.behaved
+
+
+@pytest.mark.parametrize("error", [0.95, 0.97])
+def test_a_rho_too_low_for_the_v_block_is_refuted(error: float) -> None:
+    assert bar_in_v_block(0.3).validated(rho_error=error).verdict is Verdict.FAIL
+
+
+def test_less_friction_than_planned_is_noticed_where_friction_limits_and_not_where_it_does_not() -> None:
+    assert not bar_in_v_block(0.3).validated(friction_error=0.8).verdict
+    vertices = bar_in_v_block(1.1).validated(friction_error=0.95).vertices
+    assert vertices is not None
+    assert vertices.held.all()
+
+
+@pytest.mark.parametrize("friction", [0.2, 0.5])
+@pytest.mark.parametrize("tilt", [30.0, 60.0])
+def test_a_ball_on_three_fingers_below_it_is_confirmed(friction: float, tilt: float) -> None:
+    planned = ball_on_fingers(friction, tilt, sideways=0.1)
+    validation = planned.validated()
+    assert validation.verdict, validation.reasons
+
+
+def test_fingers_that_cannot_squeeze_are_tested_for_creep_under_a_light_load() -> None:
+    validation = bar_in_v_block(0.3).validated()
+    creep = validation.controls[1]
+    assert "cannot squeeze; 0.5 of critical wrench 0" in creep.change
+    assert creep.behaved and creep.counted.all()
+
+
+def test_a_soft_instrument_is_not_trusted_with_a_support_load_either() -> None:
+    soft = replace(ACTIVE, solimp=(0.9, 0.95, 1e-3, 0.5, 2.0), impratio=1.0)
+    assert not bar_in_v_block(0.3).validated(protocol=soft).verdict
+
+
+def test_a_load_at_the_edge_of_the_friction_cone_is_recognised() -> None:
+    for sideways, expected in ((0.3999, True), (0.395, True), (0.38, False)):
+        planned = block_on_table(sideways)
+        limited = on_friction_limit(planned.contacts, ORIGIN, planned.wrenches, ACTIVE.friction_margin)
+        assert limited.tolist() == [expected]
+
+
+def test_a_load_on_the_friction_limit_that_slips_is_neither_a_pass_nor_a_fail() -> None:
+    validation = block_on_table(0.3999).validated(friction_error=0.98)
+    assert validation.verdict is Verdict.NOT_TRUSTWORTHY
+    assert (
+        "lie on the friction limit" in validation.reasons[0] and "98% of the planned friction" in validation.reasons[0]
+    )
+
+
+@settings(max_examples=30, deadline=None)
+@given(seed=st.integers(0, 2**32 - 1))
+def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(seed: int) -> None:
+    contacts, wrench, phi = grasp_and_wrench(seed)
+    assume(np.isfinite(phi))
+    units = similarity(contacts, ORIGIN, float(phi), ACTIVE.reach)
+    trial = adaptive_trial(contacts, units, wrench[None], np.array([ACTIVE.hold_factor]), ACTIVE)
+    maps = grasp_maps(units.contacts(contacts).points, ORIGIN)
+    for squeeze, load in fractions(ACTIVE)[::10]:
+        loads, forces = trial.at(squeeze, load)
+        np.testing.assert_allclose(np.einsum("iDd,id->D", maps, forces[0]), -loads[0], atol=1e-5)
+        normal, tangential = components(forces[0], contacts.normals)
+        assert (tangential <= contacts.friction * normal + 1e-5).all()
+        assert (np.linalg.norm(forces[0], axis=1) <= trial.caps[0] * (1 + 1e-6)).all()
+
+
+def test_a_mug_that_is_poured_is_confirmed_and_the_verdict_explains_its_unit_of_slip() -> None:
+    mug = read_object(ASSETS / "mug" / "mug.xml")
+    task = make_task(str(ASSETS / "tasks" / "pour.toml"), mug)
+    grasp = plan(mug, task, make_candidates(mug, "100", 0.5, seed=0), 3, CertifiedSearch(gap=0.01))
+    validation = validate(mug, grasp)
+    assert validation.verdict, validation.reasons
+    assert any(line.startswith("R0 ") and "largest distance" in line for line in validation_lines(validation))
+    options = Options(file=Path("mug.grasp.json"), mode="dexgraspbench")
+    lines = MODES["dexgraspbench"][1](mug, grasp, options, lambda *_: None).lines
+    assert "this is not about rho" in lines[1]
+
+
+def test_a_square_on_its_corner_in_the_plane_is_confirmed(tmp_path: Path) -> None:
+    """Two fingers under the lower edges, 45 degrees off the weight: rho = W / (2 cos(45 deg - atan mu))."""
+    (tmp_path / "square.toml").write_text(
+        'format = "rhograsp.planar"\nname = "square"\nmass = 1.0\nfriction = 0.3\nthickness = 0.01\n'
+        "outline = [[0, -0.03], [0.03, 0], [0, 0.03], [-0.03, 0]]\n"
+    )
+    (tmp_path / "rest.csv").write_text("-0.015,-0.015\n0.015,-0.015\n")
+    (tmp_path / "rest.toml").write_text('[set]\nkind = "single"\nwrench = [0, -9.81, 0]\n')
+    square = read_planar(tmp_path / "square.toml")
+    task = make_task(str(tmp_path / "rest.toml"), square)
+    grasp = plan(square, task, make_candidates(square, str(tmp_path / "rest.csv"), 0.3, seed=0), 2)
+    assert grasp.rho == pytest.approx(WEIGHT / 2 / np.cos(np.pi / 4 - np.arctan(0.3)), rel=1e-6)
+    validation = validate(square, grasp)
+    assert validation.verdict, validation.reasons
