@@ -38,7 +38,7 @@ def run(command: str, *arguments: object) -> int:
 def heavy_after_help(script: str, *suspects: str) -> tuple[list[str], str]:
     """Which of the suspects a script's --help imports, and what it prints."""
     code = (
-        "import sys, runpy; sys.argv = ['x', '--help']\n"
+        "import os, sys, runpy; sys.argv = ['x', '--help']; os._exit = sys.exit\n"
         f"try: runpy.run_path({str(ROOT / 'scripts' / f'{script}.py')!r}, run_name='__main__')\n"
         "except SystemExit: pass\n"
         f"print('HEAVY', *sorted({set(suspects)!r} & set(sys.modules)))"

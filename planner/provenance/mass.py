@@ -4,6 +4,7 @@ import numpy as np
 
 from planner.check import Check, checked, not_checked
 from planner.grasp import Grasp
+from planner.millimetres import in_mm, point_in_mm
 from planner.objects.graspable import Graspable
 
 AGREEMENT = 1e-6
@@ -17,7 +18,7 @@ def check_mass(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     given = "" if grasp.source.given.mass is None else ", given in place of the file's"
     claim = f"the object's mass is {grasp.mass:.6g} kg{given}"
     if grasp.center_of_mass is not None:
-        claim += f", its centre at ({', '.join(f'{coordinate:.4g}' for coordinate in grasp.center_of_mass)}) m"
+        claim += f", its centre at {point_in_mm(grasp.center_of_mass)} mm"
     if rigid_object is None:
         return not_checked(claim, NO_OBJECT)
     shift = 0.0
@@ -26,5 +27,5 @@ def check_mass(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     return checked(
         claim,
         abs(grasp.mass - rigid_object.mass) <= AGREEMENT * rigid_object.mass and shift <= AGREEMENT * rigid_object.size,
-        f"read again: {rigid_object.mass:.6g} kg, the centre {shift:.1e} m away",
+        f"read again: {rigid_object.mass:.6g} kg, the centre {in_mm(shift, 2)} mm away",
     )

@@ -8,6 +8,7 @@ import numpy as np
 
 from planner.check import Check, checked, not_checked
 from planner.grasp import Grasp
+from planner.millimetres import point_in_mm
 from planner.objects.exposure import exposed
 from planner.objects.graspable import Graspable
 from planner.objects.outline import Outline
@@ -37,9 +38,9 @@ def check_surface(grasp: Grasp, rigid_object: Graspable | None) -> Check:
         return not_checked(claim, NO_OBJECT)
     off = np.flatnonzero(~_parts_at(rigid_object, contacts.points, contacts.normals).any(axis=0))
     if not len(off):
-        return checked(claim, True, f"within {ON_SURFACE:g} of the object's size and {SAME_NORMAL:g} rad")
-    first = ", ".join(f"{coordinate:.6g}" for coordinate in contacts.points[off[0]])
-    return checked(claim, False, f"{len(off)} do not, the first is candidate {off[0]} at ({first}) m")
+        return checked(claim, True, f"within {ON_SURFACE:g} of the object's size and {np.rad2deg(SAME_NORMAL):.1g}°")
+    first = point_in_mm(contacts.points[off[0]])
+    return checked(claim, False, f"{len(off)} do not, the first is candidate {off[0]} at {first} mm")
 
 
 def check_friction(grasp: Grasp, rigid_object: Graspable | None) -> Check:

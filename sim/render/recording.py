@@ -64,7 +64,7 @@ class Recording:
 
     @property
     def loads(self) -> np.ndarray:
-        """Part of the wrench that acts during every step, shape (steps,)."""
+        """Part of the wrench of the task that acts during every step, shape (steps,); see sim/schedule.py."""
         return fractions(self.experiment.protocol)[: self.steps, 1]
 
     @property

@@ -76,6 +76,6 @@ def test_the_papers_candidates_are_refused_on_another_object() -> None:
 
 
 def test_a_geom_without_friction_needs_one_given() -> None:
-    with pytest.raises(CandidateError, match=f"friction of geom '{NAME}' is 0.0"):
+    with pytest.raises(CandidateError, match=f"friction of geom '{NAME}' is 0;"):
         make_candidates(prism(friction=0.0), "10", None, seed=0)
     assert len(make_candidates(prism(friction=0.0), "10", 0.4, seed=0)) == 10

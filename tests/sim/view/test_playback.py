@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from sim.schedule import fractions
 from sim.view.layout import ASPECT, Layout, plan_layout, trial_layout
 from sim.view.playback import Playback
 from sim.view.player import SLOWER, Player
@@ -29,11 +30,13 @@ def test_the_object_is_where_mujoco_had_it(playback: Playback) -> None:
     np.testing.assert_allclose(playback.pose(playback.last, 1, 3.0).position, 3 * playback.pose(549, 1).position)
 
 
-def test_measured_forces_hold_the_part_of_the_load_that_acts(playback: Playback) -> None:
-    load = playback.subject.grasp.task.wrenches[playback.recording.wrench, :3] / playback.subject.grasp.rho
+def test_measured_forces_hold_what_acts(playback: Playback) -> None:
+    recording, load = playback.recording, playback.subject.grasp.task.wrenches[playback.recording.wrench, :3]
     for step in (30, 150, 549):  # a mean over ten steps: while the load grows, it lags
-        force = playback.pose(step, 0).forces.sum(axis=0)
-        np.testing.assert_allclose(force, -playback.share(step) * load, atol=1e-2)
+        squeeze, share = fractions(recording.experiment.protocol)[step]
+        acting = recording.trial.at(squeeze, share)[0][0, :3]
+        np.testing.assert_allclose(playback.pose(step, 0).forces.sum(axis=0), -acting, atol=1e-2)
+    np.testing.assert_allclose(acting, load / playback.subject.grasp.rho, atol=1e-12)  # at the end the whole wrench
 
 
 def test_the_outcome_is_said_when_it_is_known_and_not_before(playback: Playback) -> None:
