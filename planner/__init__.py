@@ -2,7 +2,8 @@
 
     mug = planner.read_object("mug.xml")
     task = planner.make_task("gravity", mug)
-    grasp = planner.plan(mug, task, planner.make_candidates(mug, "300", friction=0.5), fingers=3)
+    problem = planner.GraspProblem(mug, task, planner.make_candidates(mug, "300", friction=0.5), fingers=3)
+    grasp = planner.plan(problem)
     checks = planner.verify(grasp)
     planner.write_grasp("mug.grasp.json", grasp)
 
@@ -14,25 +15,29 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from planner.candidates.choice import make_candidates
-    from planner.grasp import Grasp
-    from planner.grasp_file import read_grasp, write_grasp
+    from planner.grasp_problem import GraspProblem, GraspRequest, pose_problem
+    from planner.grasps.grasp import Grasp
+    from planner.grasps.grasp_file import read_grasp, write_grasp
     from planner.limits.limits_file import read_limits
     from planner.objects.object_file import read_object_file as read_object
     from planner.objects.object_source import ObjectSource
     from planner.planning import plan, plan_several
     from planner.search.certified import CertifiedSearch
     from planner.task import Task, make_task
-    from planner.verification import verify
+    from planner.verification.verify import verify
 
 __all__ = [
     "CertifiedSearch",
     "Grasp",
+    "GraspProblem",
+    "GraspRequest",
     "ObjectSource",
     "Task",
     "make_candidates",
     "make_task",
     "plan",
     "plan_several",
+    "pose_problem",
     "read_grasp",
     "read_limits",
     "read_object",
@@ -42,18 +47,21 @@ __all__ = [
 
 _HOMES = {
     "CertifiedSearch": "planner.search.certified:CertifiedSearch",
-    "Grasp": "planner.grasp:Grasp",
+    "GraspProblem": "planner.grasp_problem:GraspProblem",
+    "GraspRequest": "planner.grasp_problem:GraspRequest",
+    "Grasp": "planner.grasps.grasp:Grasp",
     "ObjectSource": "planner.objects.object_source:ObjectSource",
     "Task": "planner.task:Task",
     "make_candidates": "planner.candidates.choice:make_candidates",
     "make_task": "planner.task:make_task",
     "plan": "planner.planning:plan",
     "plan_several": "planner.planning:plan_several",
-    "read_grasp": "planner.grasp_file:read_grasp",
+    "pose_problem": "planner.grasp_problem:pose_problem",
+    "read_grasp": "planner.grasps.grasp_file:read_grasp",
     "read_limits": "planner.limits.limits_file:read_limits",
     "read_object": "planner.objects.object_file:read_object_file",
-    "verify": "planner.verification:verify",
-    "write_grasp": "planner.grasp_file:write_grasp",
+    "verify": "planner.verification.verify:verify",
+    "write_grasp": "planner.grasps.grasp_file:write_grasp",
 }
 
 

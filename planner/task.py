@@ -24,12 +24,12 @@ import numpy as np
 
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
+from planner.files.source_file import SourceFile, source_file
+from planner.files.toml_file import read_toml
 from planner.objects.graspable import Graspable
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
 from planner.plausibility import gravity_doubts
-from planner.source_file import SourceFile, source_file
-from planner.toml_file import read_toml
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Preset

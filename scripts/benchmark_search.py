@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
 from scripts.search_benchmark.budgets import Budgets
 
 if TYPE_CHECKING:
@@ -38,14 +38,14 @@ class Options(Budgets):
 
 def benchmark(options: Options) -> ExitCode:
     """Measure, print, write; the table is written anew after every instance, so that a stopped run leaves its part."""
-    from planner.atomic_write import write_atomically  # here: the help must not wait for the solvers
     from planner.errors import ObjectError, SettingError
-    from planner.exports.figures import new_figure
+    from planner.files.atomic_write import write_atomically  # here: the help must not wait for the solvers
+    from planner.pictures.figures import new_figure
     from scripts.search_benchmark.instances import FULL, QUICK
     from scripts.search_benchmark.machine import describe_machine
     from scripts.search_benchmark.measured import measure
     from scripts.search_benchmark.tables import document
-    from sim.tables import make_folder
+    from sim.studies.tables import make_folder
 
     logging.getLogger("scripts.search_benchmark").setLevel(logging.INFO)
     make_folder(options.out)

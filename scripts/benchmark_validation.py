@@ -10,8 +10,8 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
 
 WRENCHES, FINGERS = (16, 64, 256, 1024, 4096), (3, 4, 5, 6, 7, 8)
 QUICK_WRENCHES, QUICK_FINGERS = (8, 16), (3, 4)
@@ -36,12 +36,12 @@ class Options:
 def benchmark(options: Options, console: Console) -> ExitCode:
     """Measure, print, write."""
     console.show("loading MuJoCo and Matplotlib")
-    from planner.atomic_write import write_atomically  # here: the help must not wait for MuJoCo
-    from planner.exports.figures import new_figure
-    from sim.cost import measure_cost
-    from sim.critical_force import expected_simulations
-    from sim.plots import plot_cost
-    from sim.tables import make_folder, to_csv
+    from planner.files.atomic_write import write_atomically  # here: the help must not wait for MuJoCo
+    from planner.pictures.figures import new_figure
+    from sim.studies.cost import measure_cost
+    from sim.studies.plots import plot_cost
+    from sim.studies.tables import make_folder, to_csv
+    from sim.validation.critical_force import expected_simulations
 
     make_folder(options.out)
     new_figure(1, 1)  # without Matplotlib, say so before the work and not after

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
 
 if TYPE_CHECKING:
     from planner.objects.rigid_object import RigidObject
@@ -49,9 +49,9 @@ class Options:
 def measure_all(options: Options, console: Console) -> ExitCode:
     """Measure, print, write."""
     console.show("loading MuJoCo and Matplotlib")
-    from planner.exports.figures import new_figure  # here: the help must not wait for MuJoCo
-    from planner.objects.mjcf import read_object
-    from sim.tables import make_folder
+    from planner.objects.mjcf.reader import read_object
+    from planner.pictures.figures import new_figure  # here: the help must not wait for MuJoCo
+    from sim.studies.tables import make_folder
 
     make_folder(options.out)
     new_figure(1, 1)  # without Matplotlib, say so before the work and not after
@@ -66,8 +66,8 @@ def measure_all(options: Options, console: Console) -> ExitCode:
 
 def _rho(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 1 and the plot."""
-    from sim.plots import plot_rho
-    from sim.rho_table import RhoRow, rho_rows
+    from sim.studies.plots import plot_rho
+    from sim.studies.rho_table import RhoRow, rho_rows
 
     fingers, frictions = (FINGERS[:1], FRICTIONS[2:3]) if options.quick else (FINGERS, FRICTIONS)
     rows: list[RhoRow] = []
@@ -87,7 +87,7 @@ def _rho(objects: "Sequence[RigidObject]", options: Options, console: Console) -
 
 def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console) -> int:
     """Table 2; returns the number of wrong verdicts."""
-    from sim.survey import random_grasps, tally
+    from sim.studies.survey import random_grasps, tally
 
     console.show("drawing random grasps")
     grasps = random_grasps(objects, 2 if options.quick else GRASPS, options.seed)
@@ -101,8 +101,8 @@ def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console)
 
 def _sabotage(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 3."""
-    from sim.sabotage import SABOTAGES, measure_sabotage
-    from sim.survey import planned_grasp
+    from sim.studies.fault_injection import SABOTAGES, measure_sabotage
+    from sim.studies.survey import planned_grasp
 
     rows: list[dict[str, object]] = []
     sabotaged = objects[:1] if options.quick else objects
@@ -122,8 +122,8 @@ def _sabotage(objects: "Sequence[RigidObject]", options: Options, console: Conso
 
 def _save(stem: Path, rows: list[dict[str, object]]) -> None:
     """One table as CSV and as Markdown."""
-    from planner.atomic_write import write_atomically
-    from sim.tables import to_csv, to_markdown
+    from planner.files.atomic_write import write_atomically
+    from sim.studies.tables import to_csv, to_markdown
 
     write_atomically(stem.with_suffix(".csv"), to_csv(rows))
     write_atomically(stem.with_suffix(".md"), to_markdown(rows).encode())

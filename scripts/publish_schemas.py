@@ -2,18 +2,18 @@
 
 from pathlib import Path
 
-from planner import grasp_document
-from planner.atomic_write import write_atomically
-from planner.exports.json_schema import json_schema
-from sim import validation_file
+from planner.exchange.json_schema import json_schema
+from planner.files.atomic_write import write_atomically
+from planner.grasps import document as grasp_document
+from sim.validation import document as validation_file
 
 ROOT = Path(__file__).resolve().parents[1]
 
 SCHEMAS = {
-    ROOT / "planner" / "schemas" / "grasp.schema.json": json_schema(
+    ROOT / "planner" / "grasps" / "schemas" / "grasp.schema.json": json_schema(
         grasp_document.GraspDocument, grasp_document.FORMAT, grasp_document.FORMAT_VERSION
     ),
-    ROOT / "sim" / "schemas" / "validation.schema.json": json_schema(
+    ROOT / "sim" / "validation" / "schemas" / "validation.schema.json": json_schema(
         validation_file.ValidationDocument, validation_file.FORMAT, validation_file.FORMAT_VERSION
     ),
 }

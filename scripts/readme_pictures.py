@@ -11,9 +11,9 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
 from planner.errors import OutputError
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
 
 MUG = Path(__file__).resolve().parents[1] / "assets" / "mug" / "mug.xml"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")

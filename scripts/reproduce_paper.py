@@ -15,17 +15,15 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from planner.atomic_write import require_writable, write_atomically
 from planner.candidates.choice import make_candidates
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
 from planner.contacts import Contacts
-from planner.exports.figures import draw_outline, new_figure, object_figure, save_figure
+from planner.files.atomic_write import require_writable, write_atomically
 from planner.objects.graspable import Graspable
-from planner.objects.mjcf import read_object
-from planner.objects.planar import read_planar
-from planner.objects.planar_object import PlanarObject
+from planner.objects.mjcf.reader import read_object
+from planner.objects.planar.planar_object import PlanarObject
+from planner.objects.planar.reader import read_planar
 from planner.objects.rigid_object import RigidObject
+from planner.pictures.figures import draw_outline, new_figure, object_figure, save_figure
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluation, Evaluator
 from planner.search.exhaustive import exhaustive_search
@@ -34,6 +32,8 @@ from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult
 from planner.search.tie_break import tie_break
 from planner.task import make_task
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
 PLANAR = {"convex": 56, "concave": 86}

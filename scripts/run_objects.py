@@ -19,20 +19,21 @@ from xml.etree import ElementTree
 import mujoco
 import tyro
 
-from planner.atomic_write import require_writable, write_atomically
 from planner.candidates.choice import make_candidates
 from planner.candidates.confirmed import confirmed_candidates
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
 from planner.errors import ObjectError, RhograspError
-from planner.grasp import Grasp
-from planner.objects.mjcf import read_object
+from planner.files.atomic_write import require_writable, write_atomically
+from planner.grasp_problem import GraspProblem
+from planner.grasps.grasp import Grasp
+from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validation import Validation, validate
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
+from sim.validation.validation import Validation, validate
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
 FINGERS = (3, 4)
@@ -109,7 +110,7 @@ def rows(path: Path, options: Options) -> Iterator[Row]:
             task = make_task(task_name, rigid_object)
             began = perf_counter()
             search = CertifiedSearch(time_limit=options.time_limit)
-            grasp = plan(rigid_object, task, candidates, fingers, search)
+            grasp = plan(GraspProblem(rigid_object, task, candidates, fingers), search)
             yield row(f"{name} | {task_name} | {fingers}", rigid_object, grasp, perf_counter() - began, options)
     except RhograspError as error:
         yield Row(f"| {name} | {error} |", good=False)

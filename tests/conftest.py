@@ -5,14 +5,15 @@ from pathlib import Path
 import pytest
 
 from planner.candidates.choice import make_candidates
-from planner.grasp import Grasp
-from planner.grasp_file import write_grasp
+from planner.grasp_problem import GraspProblem
+from planner.grasps.grasp import Grasp
+from planner.grasps.grasp_file import write_grasp
 from planner.limits.limits import Finger, Limits
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
 from planner.task import make_task
-from tests.commands import ASSETS
+from tests.tools.commands import ASSETS
 
 
 @pytest.fixture(scope="session")
@@ -24,7 +25,7 @@ def prism() -> RigidObject:
 @pytest.fixture(scope="session")
 def golden_grasp(prism: RigidObject) -> Grasp:
     """The paper's Case III: 217 candidates, three fingers, friction 0.3."""
-    return plan(prism, make_task("paper", prism), make_candidates(prism, "case3", 0.3, seed=0), fingers=3)
+    return plan(GraspProblem(prism, make_task("paper", prism), make_candidates(prism, "case3", 0.3, seed=0), fingers=3))
 
 
 @pytest.fixture(scope="session")
@@ -33,7 +34,7 @@ def limited_grasp(prism: RigidObject) -> Grasp:
     fingers = (Finger(), Finger(), Finger(strength=0.5))
     limits = Limits(spacing=0.02, span=0.028, fingers=fingers)
     candidates = make_candidates(prism, "case3", 0.3, seed=0)
-    return plan(prism, make_task("paper", prism), candidates, fingers=3, limits=limits)
+    return plan(GraspProblem(prism, make_task("paper", prism), candidates, fingers=3, limits=limits))
 
 
 @pytest.fixture

@@ -36,7 +36,7 @@ from scripts.search_benchmark.instances import FULL, QUICK, TINY
 from scripts.search_benchmark.isolated import run_isolated
 from scripts.search_benchmark.measured import Measured
 from scripts.search_benchmark.prism import prism_contacts, prism_problem
-from tests.commands import ROOT, says
+from tests.tools.commands import ROOT, says
 
 
 @pytest.fixture(scope="module")

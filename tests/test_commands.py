@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ASSETS, PRISM, ROOT, heavy_after_help, run, says
+from tests.tools.commands import ASSETS, PRISM, ROOT, heavy_after_help, run, says
 
 
 def plan_prism(out: Path, *arguments: object) -> int:

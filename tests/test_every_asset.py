@@ -3,12 +3,13 @@
 import pytest
 
 from planner.candidates.choice import make_candidates
-from planner.objects.mjcf import read_object
+from planner.grasp_problem import GraspProblem
+from planner.objects.mjcf.reader import read_object
 from planner.planning import plan
 from planner.search.result import Status
 from planner.task import make_task
-from sim.validation import validate
-from tests.commands import ASSETS
+from sim.validation.validation import validate
+from tests.tools.commands import ASSETS
 
 OBJECTS = sorted(path.parent.name for path in ASSETS.glob("*/*.xml"))
 
@@ -19,7 +20,7 @@ def test_an_asset_plans_and_passes_in_mujoco(name: str, fingers: int) -> None:
     rigid_object = read_object(ASSETS / name / f"{name}.xml")
     task = make_task("gravity", rigid_object)
     candidates = make_candidates(rigid_object, "100", None, seed=0)
-    grasp = plan(rigid_object, task, candidates, fingers)
+    grasp = plan(GraspProblem(rigid_object, task, candidates, fingers))
     assert grasp.status is Status.OPTIMAL
     validation = validate(rigid_object, grasp)
     assert validation.verdict, validation.reasons

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from planner.grasp_file import read_grasp
-from planner.grasped_object import read_grasped_object
+from planner.grasps.grasp_file import read_grasp
+from planner.grasps.grasped_object import read_grasped_object
 from planner.objects.rigid_object import RigidObject
-from tests.commands import ASSETS, PRISM, heavy_after_help, run, says
-from tests.planner.objects.cup import box_cup, mesh_cup
+from tests.strategies.cups import box_cup, mesh_cup
+from tests.tools.commands import ASSETS, PRISM, heavy_after_help, run, says
 
 
 def test_inspect_shows_what_the_planner_sees(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planner.grasp_file import read_grasp
-from tests.commands import ASSETS, ROOT
+from planner.grasps.grasp_file import read_grasp
+from tests.tools.commands import ASSETS, ROOT
 
 LIFE = 4.0
 """Roughly how long the commands live after Python has started, imports included [s]."""
@@ -78,7 +78,7 @@ def test_the_time_limit_holds_for_the_whole_command(candidates: int, fingers: in
     out, limit = tmp_path / "a.grasp.json", 0.5
     command = f"""
 import sys, time
-from planner.commands.interruption import Interruption
+from planner.terminal.interruption import Interruption
 start_clock = Interruption.start_clock
 def noted(self, limit):
     print("CLOCK", time.time(), file=sys.stderr, flush=True)

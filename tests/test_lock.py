@@ -6,7 +6,7 @@ from pathlib import Path
 
 from packaging.requirements import Requirement
 
-from tests.commands import ROOT
+from tests.tools.commands import ROOT
 
 LOCK = ROOT / "uv.lock"
 

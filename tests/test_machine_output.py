@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from tests.commands import ASSETS, PRISM, ROOT, run
-from tests.planner.commands.terminals import screen
+from tests.tools.commands import ASSETS, PRISM, ROOT, run
+from tests.tools.terminals import screen
 
 CASE_3 = ("--friction", 0.3, "--task", "paper", "--candidates", "case3")
 PLAN = [sys.executable, str(ROOT / "scripts" / "plan.py")]

@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from planner.grasp_file import read_grasp
-from planner.grasped_object import read_grasped_object
+from planner.grasps.grasp_file import read_grasp
+from planner.grasps.grasped_object import read_grasped_object
 from planner.objects.rigid_object import RigidObject
-from tests.commands import run, says
-from tests.planner.objects.cup import mesh_cup
-from tests.planner.objects.mjcf_files import world, written
 from tests.planner.objects.test_ties import BOTTLE, KEYS, MUG
-from tests.shared import shared
+from tests.strategies.cups import mesh_cup
+from tests.strategies.mjcf_files import world, written
+from tests.tools.commands import run, says
+from tests.tools.shared import shared
 
 LIFT = "[set]\nkind = 'single'\nwrench = [0, 0, {}, 0, 0, 0]\n"
 
@@ -86,7 +86,7 @@ def test_the_shared_mug_and_bottle_need_what_their_readme_says(tmp_path: Path) -
 def test_a_decomposed_object_keeps_its_body_its_joints_and_its_obstacles(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("planner.decompose._run_coacd", lambda vertices, _: [vertices, vertices])
+    monkeypatch.setattr("planner.objects.mjcf.decompose._run_coacd", lambda vertices, _: [vertices, vertices])
     cup = mesh_cup(tmp_path).read_text()
     lid = '<body name="lid" pos="0 0 .06"><joint name="hinge"/><geom name="lid" type="box" size=".04 .04 .01"/></body>'
     path = written(tmp_path, cup.replace("</body>", f"{lid}</body>", 1))

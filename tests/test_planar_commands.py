@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ASSETS, run, says
+from tests.tools.commands import ASSETS, run, says
 
 PLATE = ASSETS / "planar" / "convex.toml"
 

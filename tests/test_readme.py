@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from planner.commands.terminal import EXIT_CODES
-from tests.commands import MAINS, ROOT, run
+from planner.terminal.command_line import EXIT_CODES
+from tests.tools.commands import MAINS, ROOT, run
 
 README = (ROOT / "README.md").read_text()
 

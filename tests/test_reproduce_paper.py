@@ -4,7 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from tests.commands import ROOT, says
+from tests.tools.commands import ROOT, says
 
 
 def test_the_quick_reproduction_prints_the_papers_numbers_and_saves_its_figures(tmp_path: Path) -> None:

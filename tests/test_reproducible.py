@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import ASSETS, run
+from tests.tools.commands import ASSETS, run
 
 
 def test_the_command_in_a_file_makes_the_same_grasp_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from scripts.run_objects import objects
-from tests.commands import ASSETS, ROOT
-from tests.planner.objects.mjcf_files import SHARED, SHARED_OBJECTS, written
+from tests.strategies.mjcf_files import SHARED, SHARED_OBJECTS, written
+from tests.tools.commands import ASSETS, ROOT
 
 SCRIPT = ROOT / "scripts" / "run_objects.py"
 

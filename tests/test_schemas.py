@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from planner.grasp import Grasp
-from planner.grasp_file import write_grasp
+from planner.grasps.grasp import Grasp
+from planner.grasps.grasp_file import write_grasp
 from planner.objects.rigid_object import RigidObject
 from scripts.publish_schemas import SCHEMAS
-from sim.validation import validate_contacts
-from sim.validation_file import write_validation
-from tests.commands import ROOT
+from sim.validation.document import write_validation
+from sim.validation.validation import validate_contacts
+from tests.tools.commands import ROOT
 
 TYPES: dict[str, Callable[[Any], bool]] = {
     "object": lambda value: isinstance(value, dict),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ROOT
+from tests.tools.commands import ROOT
 
 
 def run_script(name: str, *arguments: object) -> int:

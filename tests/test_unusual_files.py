@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import MAINS, PRISM, ROOT, run
+from tests.tools.commands import MAINS, PRISM, ROOT, run
 
 LONG = "n" * 300
 FULL = Path("/dev/full")

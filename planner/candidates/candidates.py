@@ -7,10 +7,10 @@ import numpy as np
 
 from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
 from planner.errors import CandidateError
-from planner.objects.coincident import parts_through
+from planner.files.source_file import SourceFile
 from planner.objects.graspable import Graspable
-from planner.objects.projection import project
-from planner.source_file import SourceFile
+from planner.objects.surface.coincident import parts_through
+from planner.objects.surface.projection import project
 
 
 @dataclass(frozen=True, kw_only=True)

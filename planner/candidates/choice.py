@@ -11,11 +11,11 @@ from planner.candidates.even import even_candidates
 from planner.candidates.grid import grid_candidates
 from planner.candidates.listed import ListedPoints, grasp_points, listed_candidates, read_points
 from planner.errors import CandidateError
+from planner.files.source_file import source_file
 from planner.objects.graspable import Graspable
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
 from planner.plausibility import friction_doubts, grid_doubts
-from planner.source_file import source_file
 
 logger = logging.getLogger(__name__)
 

@@ -7,7 +7,7 @@ import numpy as np
 from planner.candidates.candidates import Candidates
 from planner.errors import CandidateError
 from planner.millimetres import in_mm
-from planner.objects.collision import measure_collision
+from planner.objects.mjcf.collision import measure_collision
 from planner.objects.rigid_object import RigidObject
 
 
@@ -16,6 +16,9 @@ class Confirmed:
     """The confirmed candidates, and how the others failed."""
 
     candidates: Candidates
+
+    asked: Candidates
+    """All that were to be confirmed."""
 
     off_surface: int
     """How many were left out because MuJoCo's surface is elsewhere."""
@@ -64,6 +67,7 @@ def confirmed_candidates(rigid_object: RigidObject, candidates: Candidates) -> C
         )
     return Confirmed(
         candidates=candidates.kept(kept, confirmed=True),
+        asked=candidates,
         off_surface=int(off.sum()),
         turned=int(turned.sum()),
         crowded=int(crowded.sum()),

@@ -10,7 +10,7 @@ from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.candidates.grid import check_spacing, too_fine
 from planner.errors import CandidateError
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.planar_object import PlanarObject
 
 SAME_GAP = 9
 """Decimals to which gaps, relative to the spacing, must agree to be equally wide."""

@@ -10,10 +10,10 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.farthest import farthest_points
 from planner.errors import CandidateError
-from planner.objects.exposure import reachable
-from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
-from planner.objects.sampling import finger_surface, random_points
+from planner.objects.surface.exposure import reachable
+from planner.objects.surface.projection import project
+from planner.objects.surface.sampling import finger_surface, random_points
 
 MOST_CANDIDATES = 1_000_000
 

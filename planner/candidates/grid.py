@@ -9,12 +9,12 @@ import numpy as np
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
-from planner.objects.coincident import finger_parts
-from planner.objects.exposure import reachable
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron, edge_distances
-from planner.objects.projection import project
 from planner.objects.rigid_object import RigidObject
+from planner.objects.surface.coincident import finger_parts
+from planner.objects.surface.exposure import reachable
+from planner.objects.surface.projection import project
 from planner.objects.vectors import unit
 
 STRICTLY_INSIDE = 1e-6

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import numpy as np
 
-from planner.bounded_read import read_bounded
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
-from planner.grasp_file import read_grasp
-from planner.objects.coincident import finger_parts
-from planner.objects.exposure import exposed
+from planner.files.bounded_read import read_bounded
+from planner.grasps.grasp_file import read_grasp
 from planner.objects.graspable import Graspable
-from planner.objects.projection import project
+from planner.objects.surface.coincident import finger_parts
+from planner.objects.surface.exposure import exposed
+from planner.objects.surface.projection import project
 from planner.objects.vectors import unit
 
 ON_SURFACE = 1e-6

@@ -1,0 +1,1 @@
+"""The commands of the planner, one per file: parse, call, write, print."""

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import tyro
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
 
 HAND = ".npy"
 """Ending of a foreign grasp of a whole hand."""
@@ -38,10 +38,10 @@ class Options:
 def convert_command(options: Options) -> ExitCode:
     """Convert and say what was written."""
     from planner.errors import GraspFileError, OutputError  # here: the help must not wait for trimesh
-    from planner.exports.dexgraspbench import read_hand
-    from planner.exports.formats import format_of
-    from planner.grasp_file import read_grasp
-    from planner.grasped_object import read_grasped_object
+    from planner.exchange.dexgraspbench import read_hand
+    from planner.exchange.formats import format_of
+    from planner.grasps.grasp_file import read_grasp
+    from planner.grasps.grasped_object import read_grasped_object
 
     format = format_of(options.out)
     if options.file.suffix.lower() == HAND:

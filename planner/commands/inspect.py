@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planner.commands.object_options import ObjectOptions
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,14 +31,14 @@ class Options(ObjectOptions):
 
 def inspect_command(options: Options) -> ExitCode:
     """Print what is seen, from the file to the candidates; what cannot be read ends the list with its reason."""
-    from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.candidates.choice import make_candidates
-    from planner.commands.heard_warnings import heard_warnings
     from planner.commands.inspect_report import bodies, candidate_lines, object_lines, planar_lines
-    from planner.exports.figures import save_figure
-    from planner.exports.object_picture import object_picture
+    from planner.files.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.objects.object_file import PLANAR, read_object_file
     from planner.objects.rigid_object import RigidObject
+    from planner.pictures.figures import save_figure
+    from planner.pictures.object_picture import object_picture
+    from planner.terminal.warnings_as_logs import heard_warnings
 
     if options.out is not None:
         require_writable(options.out)

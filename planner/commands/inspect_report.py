@@ -7,20 +7,20 @@ from scipy.spatial import cKDTree
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
-from planner.exports.mjcf import PRIMITIVES
 from planner.millimetres import in_mm, point_in_mm
-from planner.objects.coincident import ON_SURFACE, covered_parts
-from planner.objects.compiled import compile_source
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
-from planner.objects.model_tree import body_tree
+from planner.objects.mjcf.compiled import compile_source
+from planner.objects.mjcf.model_tree import body_tree
+from planner.objects.mjcf.visual import visual_difference, warn_of_difference
+from planner.objects.mjcf.writer import PRIMITIVES
 from planner.objects.object_source import ObjectSource
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
-from planner.objects.surface_survey import survey_surface
-from planner.objects.visual import visual_difference, warn_of_difference
+from planner.objects.surface.coincident import ON_SURFACE, covered_parts
+from planner.objects.surface.survey import survey_surface
 
 WORLD = 0
 

@@ -7,20 +7,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.interruption import Interruption, interruption
 from planner.commands.object_options import ObjectOptions
-from planner.commands.terminal import ExitCode, as_typed, parse, run, write_json
+from planner.terminal.command_line import ExitCode, as_typed, parse, run, write_json
+from planner.terminal.console import Console
+from planner.terminal.interruption import Interruption, interruption
 
 if TYPE_CHECKING:
-    from planner.candidates.candidates import Candidates
     from planner.commands.plan_report import Report
-    from planner.commands.search_log import SearchLog
-    from planner.grasp import Grasp
-    from planner.limits.kinds import Kinds
-    from planner.limits.limits import Limits
-    from planner.objects.graspable import Graspable
+    from planner.grasp_problem import GraspRequest
+    from planner.grasps.grasp import Grasp
     from planner.objects.object_source import ObjectSource
+    from planner.terminal.search_log import SearchLog
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,16 +93,37 @@ class Options(ObjectOptions):
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False
     """Print nothing but errors (and what --json asks for)."""
 
+    @property
+    def request(self) -> "GraspRequest":
+        """What is asked for.
+
+        Raises:
+            ObjectError: If how to read the object is contradictory.
+        """
+        from planner.grasp_problem import GraspRequest
+
+        return GraspRequest(
+            source=self.source,
+            task=self.task,
+            candidates=self.candidates,
+            fingers=self.fingers,
+            friction=self.friction,
+            friction_error=self.friction_error,
+            fingertip=self.fingertip,
+            limits=self.limits,
+            seed=self.seed,
+        )
+
 
 def plan_command(options: Options, console: Console, command: str | None = None) -> ExitCode:
     """Plan, write the grasp file, which remembers the command line, and say what came out."""
     console.show("loading MuJoCo and the solvers")
-    from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.commands.plan_report import Report
     from planner.commands.plan_summary import plan_summary
-    from planner.commands.search_log import SearchLog
-    from planner.grasp_file import SUFFIX, numbered, write_grasp
+    from planner.files.atomic_write import require_writable  # here: the help must not wait for MuJoCo
+    from planner.grasps.grasp_file import SUFFIX, numbered, write_grasp
     from planner.search.result import Status
+    from planner.terminal.search_log import SearchLog
 
     out = options.out or Path(options.object.stem + SUFFIX)
     require_writable(numbered(out, options.keep))  # of all names the longest
@@ -131,15 +149,10 @@ def plan_command(options: Options, console: Console, command: str | None = None)
 def _plan(
     options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console, ending: Interruption
 ) -> "tuple[Grasp, ...]":
-    """Read the object, choose the candidates and search."""
-    from planner.candidates.choice import make_candidates
-    from planner.candidates.confirmed import confirmed_candidates
-    from planner.objects.object_file import read_object_file
-    from planner.objects.rigid_object import RigidObject
-    from planner.objects.visual import visual_difference, warn_of_difference
-    from planner.planning import plan_within
+    """Pose the problem, say what it is, and search."""
+    from planner.grasp_problem import pose_problem
+    from planner.planning import plan_several
     from planner.search.certified import CertifiedSearch
-    from planner.task import make_task
 
     search = CertifiedSearch(
         gap=options.gap,
@@ -150,57 +163,24 @@ def _plan(
         seed=options.seed,
     )
     ending.start_clock(options.time_limit)
-    source = _decomposed(options, folder, report, console) if options.decompose else options.source
-    console.show(f"reading {source.file}")
-    rigid_object = read_object_file(source)
-    task = make_task(options.task, rigid_object)
-    console.show(f"choosing candidates: {options.candidates}")
-    candidates = make_candidates(rigid_object, options.candidates, options.friction, options.seed, options.fingertip)
-    candidates = candidates.least_friction(options.friction_error)
-    report.problem(rigid_object, task, candidates, options.fingers)
-    if isinstance(rigid_object, RigidObject):
-        console.show(f"confirming {len(candidates)} candidates with MuJoCo")
-        confirmed = confirmed_candidates(rigid_object, candidates)
-        candidates = confirmed.candidates
-        report.dropped(confirmed)
-        console.show("comparing what is seen with what collides")
-        warn_of_difference(rigid_object, visual_difference(rigid_object))
-    limits, kinds = _within_limits(options, rigid_object, candidates, report)
+    request = options.request
+    if options.decompose:
+        request = replace(request, source=_decomposed(request.source, folder, report, console))
+    problem = pose_problem(request, console.show)
+    report.problem(problem)
     log.header()
     search = replace(search, time_limit=ending.left)
-    return plan_within(rigid_object, task, kinds, limits, search, log.observe, log.asked(ending.asked))
+    return plan_several(problem, search, log.observe, log.asked(ending.asked))
 
 
-def _decomposed(options: Options, folder: Path, report: "Report", console: Console) -> "ObjectSource":
+def _decomposed(source: "ObjectSource", folder: Path, report: "Report", console: Console) -> "ObjectSource":
     """What to plan on in place of the object's own file."""
-    from planner.decompose import decompose
+    from planner.objects.mjcf.decompose import decompose
 
     console.show("cutting meshes into convex parts")
-    source, parts = decompose(options.source, folder)
+    source, parts = decompose(source, folder)
     report.decomposed(source.file, parts)
     return source
-
-
-def _within_limits(
-    options: Options, rigid_object: "Graspable", candidates: "Candidates", report: "Report"
-) -> "tuple[Limits, Kinds]":
-    """The limits of a file, none by default, and the candidates that they leave to each finger."""
-    from planner.limits.kinds import finger_kinds
-    from planner.limits.limits import Limits
-    from planner.limits.limits_file import read_limits
-    from planner.limits.restricted import restricted
-    from planner.source_file import source_file
-
-    limits = Limits()
-    if options.limits:
-        limits = read_limits(options.limits, rigid_object)
-        candidates = candidates.chosen(limits=source_file(options.limits))
-    allowed = restricted(rigid_object, candidates, limits)
-    report.restricted(allowed)
-    kinds = finger_kinds(rigid_object, allowed.candidates, options.fingers, limits)
-    report.kinds(kinds)
-    report.choice(len(allowed.candidates), options.fingers)
-    return limits, kinds
 
 
 def main() -> None:

@@ -8,9 +8,9 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
-from planner.commands.console import Console
-from planner.grasp import Grasp
-from planner.infeasibility import reasons, remedies
+from planner.grasp_problem import GraspProblem
+from planner.grasps.grasp import Grasp
+from planner.grasps.why_infeasible import reasons, remedies
 from planner.limits.kinds import Kinds
 from planner.limits.restricted import Restricted, removals
 from planner.millimetres import LEAST, in_mm, point_in_mm
@@ -20,6 +20,7 @@ from planner.objects.rigid_object import RigidObject
 from planner.plausibility import candidate_doubts
 from planner.search.result import Status
 from planner.task import Task
+from planner.terminal.console import Console
 
 logger = logging.getLogger(__name__)
 
@@ -33,8 +34,10 @@ class Report:
     def __init__(self, console: Console) -> None:
         self._console = console
 
-    def problem(self, rigid_object: Graspable, task: Task, candidates: Candidates, fingers: int) -> None:
+    def problem(self, problem: GraspProblem) -> None:
         """What is about to be searched."""
+        rigid_object, task, fingers = problem.rigid_object, problem.task, problem.fingers
+        candidates = problem.candidates if problem.confirmed is None else problem.confirmed.asked
         extent = " x ".join(in_mm(edge) for edge in rigid_object.extent)
         self._say(
             f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
@@ -47,6 +50,11 @@ class Report:
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
         if candidates.moved > LEAST:
             self._say(f"moved       onto the surface by at most {in_mm(candidates.moved, 2)} mm")
+        if problem.confirmed is not None:
+            self._dropped(problem.confirmed)
+        self._restricted(problem.allowed)
+        self._kinds(problem.kinds)
+        self._choice(len(problem.allowed.candidates), fingers)
 
     def _as_read(self, rigid_object: RigidObject) -> None:
         """Joints that are frozen, and parts that are only obstacles."""
@@ -65,7 +73,7 @@ class Report:
         """What is planned on in place of the object's file."""
         self._say(f"decomposed  {file}: {parts} convex parts")
 
-    def dropped(self, confirmed: Confirmed) -> None:
+    def _dropped(self, confirmed: Confirmed) -> None:
         """Candidates that MuJoCo does not confirm, if there are any."""
         if confirmed.dropped:
             self._say(
@@ -74,7 +82,7 @@ class Report:
                 f"{len(confirmed.candidates)} are left"
             )
 
-    def restricted(self, allowed: Restricted) -> None:
+    def _restricted(self, allowed: Restricted) -> None:
         """Candidates that the limits of the fingers forbid, if there are any."""
         if any(allowed.removed.values()):
             self._say(
@@ -82,12 +90,12 @@ class Report:
                 f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
             )
 
-    def choice(self, candidates: int, fingers: int) -> None:
+    def _choice(self, candidates: int, fingers: int) -> None:
         """Whether there is much to choose from."""
         for doubt in candidate_doubts(candidates, fingers):
             logger.warning("%s", doubt)
 
-    def kinds(self, kinds: Kinds) -> None:
+    def _kinds(self, kinds: Kinds) -> None:
         """Fingers that differ, if they do."""
         for kind, share in enumerate(kinds.kinds):
             names = ", ".join(str(1 + finger) for finger in np.flatnonzero(kinds.of_finger == kind))

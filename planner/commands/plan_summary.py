@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from planner.grasp_document import GraspDocument
+from planner.grasps.document import GraspDocument
 
 
 def plan_summary(files: Sequence[Path]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
 
-from planner.commands.interruption import ignore_signals, watch_signals
+from planner.terminal.interruption import ignore_signals, watch_signals
 
 
 def starting(module: str) -> Callable[[], None]:

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run, write_json
+from planner.terminal.command_line import ExitCode, parse, run, write_json
+from planner.terminal.console import Console
 
 MARKS = {"holds": "ok", "fails": "FAIL", "not checked": "?"}
 """How each result of a check is shown."""
@@ -45,8 +45,8 @@ class Options:
 def verify_command(options: Options, console: Console) -> ExitCode:
     """Check every claim and print how each came out."""
     console.show("loading CVXPY")
-    from planner.grasp_file import read_grasp  # here: the help must not wait for CVXPY
-    from planner.verification import verify
+    from planner.grasps.grasp_file import read_grasp  # here: the help must not wait for CVXPY
+    from planner.verification.verify import verify
 
     began = perf_counter()
     checks = verify(read_grasp(options.file), console.count, options.object)

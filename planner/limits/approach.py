@@ -7,9 +7,9 @@ from planner.limits.clear_path import keeps_clear
 from planner.limits.limits import Limits
 from planner.limits.obstacles import HalfSpace, Obstacle, obstacles
 from planner.limits.table import table_height
-from planner.objects.exposure import SEAM
 from planner.objects.graspable import Graspable
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.planar_object import PlanarObject
+from planner.objects.surface.exposure import SEAM
 
 
 def approachable(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:

@@ -6,8 +6,8 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.limits.limits import Limits
-from planner.objects.coincident import parts_through
 from planner.objects.graspable import Graspable
+from planner.objects.surface.coincident import parts_through
 
 
 def off_excluded_geoms(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:

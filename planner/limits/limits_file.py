@@ -26,10 +26,10 @@ within = {lower = [0, -1, -1], upper = [1, 1, 1]}  # only in this box [m]
 from pathlib import Path
 
 from planner.errors import LimitsError
+from planner.files.toml_file import read_toml
 from planner.limits.fit import require_fit
 from planner.limits.limits import Limits
 from planner.objects.graspable import Graspable
-from planner.toml_file import read_toml
 
 SAMPLE = "; a whole limits file can be: span = 0.12  # greatest distance of two contacts in metres"
 """What ends a complaint about a limits file."""

@@ -10,11 +10,11 @@ from typing import Protocol
 import numpy as np
 
 from planner.objects.graspable import Graspable
-from planner.objects.outline import Outline
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.outline import Outline
+from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.rigid_object import ConvexPart
-from planner.objects.surface import nearest_on_triangles
+from planner.objects.surface.nearest import nearest_on_triangles
 from planner.objects.vectors import norm
 
 

@@ -4,7 +4,7 @@ Both name the same things alike: file, sha256, body, parts, mass, center_of_mass
 coordinates in the one and two in the other, and the mathematics of contacts, forces and searches serves both.
 """
 
-from planner.objects.planar_object import PlanarObject
+from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
 
 Graspable = RigidObject | PlanarObject

@@ -4,9 +4,9 @@ from pathlib import Path
 
 from planner.errors import ObjectError
 from planner.objects.graspable import Graspable
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
-from planner.objects.planar import read_planar
+from planner.objects.planar.reader import read_planar
 
 PLANAR = ".toml"
 """How the name of a planar object's file ends; every other file is MJCF."""

@@ -5,14 +5,13 @@ Read in this order:
     problem, finger_kind        what is searched: candidates, fingers, W_R, limits
     evaluation                  exact rho of one subset, by cone programs
     cuts                        the table in which one direction bounds every subset
-    tree, frontier              groups of candidates, and rows of them that stand for many subsets
-    bounded_rows                such rows, each with its bound and the cut that proves it
+    regions/                    groups of candidates, and rows of them that stand for many subsets
     node_bounds, compiled/      bounds of rows from the table
-    spacing, apart              rows that hold nothing wanted
+    constraints/                rows that hold nothing wanted
     local_search, incumbents    good grasps early, and which are still wanted
     branch_and_bound            all of it together
-    settings, certified, result what callers ask for and get;  cover: the few cuts that a finished proof needs
-    two_fingers, closure        two special cases that need no search
+    settings, certified, result what callers ask for and get;  minimal_cuts: those that a finished proof needs
+    two_fingers, infeasible     two special cases that need no search
     exhaustive, paper, lower_bounds, coarse_to_fine, tie_break      other searches, and the paper's tie-break
 
 Where the time goes, in per cent, one run each on two cores (n candidates, m fingers; a cone program is one solved

@@ -13,20 +13,20 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from planner.search.apart import Apart
-from planner.search.bounded_rows import BoundedRows
-from planner.search.closure import impossible_direction
+from planner.search.constraints.distinct import Apart
+from planner.search.constraints.spacing import Spacing
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
-from planner.search.frontier import Frontier, split
 from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
+from planner.search.infeasible import impossible_direction
 from planner.search.local_search import STARTS, add_vertex_cuts, evaluate_below, improve, random_subset
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
+from planner.search.regions.bounded_rows import BoundedRows
+from planner.search.regions.candidate_tree import build_tree
+from planner.search.regions.frontier import Frontier, split
 from planner.search.result import Progress, SearchResult, Status, relative_gap
 from planner.search.settings import SearchSettings
-from planner.search.spacing import Spacing
-from planner.search.tree import build_tree
 from planner.search.two_fingers import line_bounds, pairs
 
 FEW = 256

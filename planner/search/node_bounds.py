@@ -14,10 +14,10 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from scipy.cluster.hierarchy import leaves_list, ward
 
-from planner.search.bounded_rows import BoundedRows
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
-from planner.search.tree import CandidateTree
+from planner.search.regions.bounded_rows import BoundedRows
+from planner.search.regions.candidate_tree import CandidateTree
 
 FIRST_CUTS = 256
 """Columns of the table at the start; doubled when full."""

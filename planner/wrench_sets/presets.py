@@ -11,8 +11,8 @@ import numpy as np
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.objects.graspable import Graspable
-from planner.objects.planar_object import PlanarObject
-from planner.objects.surface import surface_distance
+from planner.objects.planar.planar_object import PlanarObject
+from planner.objects.surface.nearest import surface_distance
 from planner.wrench_sets.box import Box
 from planner.wrench_sets.cylinder import Cylinder
 from planner.wrench_sets.polytope import Polytope

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from planner.certificate import check_bound
 from planner.errors import RhograspError
-from planner.grasp import Certificate
+from planner.grasps.grasp import Certificate
 from planner.search.certified import CertifiedSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
+from planner.verification.bound_check import check_bound
 from scripts.search_benchmark.isolated import run_isolated
 
 PATIENCE = 30.0

@@ -7,7 +7,7 @@ import trimesh
 
 from planner.contacts import Contacts
 from planner.errors import ObjectError
-from planner.objects.sampling import random_points
+from planner.objects.surface.sampling import random_points
 from planner.search.problem import SearchProblem
 from planner.wrench_sets.box import Box
 

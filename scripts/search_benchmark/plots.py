@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planner.exports.figures import new_figure, save_figure
+from planner.pictures.figures import new_figure, save_figure
 from scripts.search_benchmark.measured import Measured
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ pads are on? It is never less than the best grasp for those pads.
 
 from pathlib import Path
 
-from planner import make_candidates, make_task, plan, read_object
+from planner import GraspProblem, make_candidates, make_task, plan, read_object
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
 
@@ -28,7 +28,7 @@ def main() -> None:
     print(f"{'friction':>8} {'rho [N]':>8} {'candidates':>12} {'first grasp [N]':>16}")
     for friction in FRICTIONS:
         candidates = make_candidates(prism, "60", friction, seed=0)  # the same points, another coefficient
-        grasp = plan(prism, task, candidates, fingers=3)
+        grasp = plan(GraspProblem(prism, task, candidates, fingers=3))
         first = grasp.candidates if first is None else first
         problem = SearchProblem(
             contacts=candidates.contacts, fingers=3, reference_point=task.reference_point, wrenches=task.wrenches

@@ -16,7 +16,7 @@ A larger set never needs less force: asking only for what the job needs is what 
 import tempfile
 from pathlib import Path
 
-from planner import make_candidates, make_task, plan, read_object
+from planner import GraspProblem, make_candidates, make_task, plan, read_object
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 
@@ -49,7 +49,7 @@ def main() -> None:
             file = Path(folder) / f"{number}.toml"
             file.write_text(text)
             task = make_task(str(file), bottle)
-            grasp = plan(bottle, task, candidates, fingers=3)
+            grasp = plan(GraspProblem(bottle, task, candidates, fingers=3))
             worst = ", ".join(f"{value:.3g}" for value in task.wrenches[grasp.critical_wrench])
             print(f"{task.name:22s} {len(task.wrenches):4d} wrenches  rho {grasp.rho:7.3f} N  worst ({worst})")
 

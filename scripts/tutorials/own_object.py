@@ -12,8 +12,8 @@ Three questions are then one call each: where to put the fingers, is the answer 
 import argparse
 from pathlib import Path
 
-from planner import make_candidates, make_task, plan, read_object, verify, write_grasp
-from planner.exports.report_page import write_report
+from planner import GraspProblem, make_candidates, make_task, plan, read_object, verify, write_grasp
+from sim.report.report_page import write_report
 
 HAMMER = """
 <mujoco model="hammer">
@@ -37,7 +37,7 @@ def main(folder: Path) -> None:
 
     task = make_task("gravity", hammer)  # its weight in any direction
     candidates = make_candidates(hammer, "80", friction=None, seed=0)  # each geom's own friction
-    grasp = plan(hammer, task, candidates, fingers=3)
+    grasp = plan(GraspProblem(hammer, task, candidates, fingers=3))
     print(f"three fingers need {grasp.rho:.3f} N, on {', '.join(grasp.geoms)}")
     print(f"proven: no three of {grasp.search.candidates} candidates need less than {grasp.lower_bound:.3f} N")
 

@@ -12,7 +12,7 @@ MuJoCo whether the choice is true: every wrench must hold with the cap just abov
 
 from pathlib import Path
 
-from planner import make_candidates, make_task, plan, read_object
+from planner import GraspProblem, make_candidates, make_task, plan, read_object
 from sim import validate
 
 BOX = Path(__file__).resolve().parents[2] / "assets" / "box" / "box.xml"
@@ -26,7 +26,7 @@ def main() -> None:
     task = make_task("gravity", box)
     candidates = make_candidates(box, "40", friction=0.5, seed=0)
     for fingers in (3, 4, 5):
-        grasp = plan(box, task, candidates, fingers)
+        grasp = plan(GraspProblem(box, task, candidates, fingers))
         payload = box.mass * ACTUATOR / grasp.rho
         print(
             f"{fingers} fingers: rho {grasp.rho:.3f} N; {ACTUATOR:g} N per finger carry {payload:.2f} kg of this shape"

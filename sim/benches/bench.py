@@ -20,10 +20,10 @@ from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.settings import BenchSettings
 from sim.benches.world import build_world
-from sim.feed_forward import FeedForward
-from sim.final_state import angles
 from sim.scene.scene import Scene
-from sim.trial import step_through
+from sim.trial.feed_forward import FeedForward
+from sim.trial.final_state import angles
+from sim.trial.trial import step_through
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from sim.force_law import FingerLaw
 from sim.scene.physics import Physics
+from sim.trial.force_law import FingerLaw
 
 
 @dataclass(frozen=True, kw_only=True)

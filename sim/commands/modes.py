@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.bench import BenchOutcome
-from sim.benches.bench_file import write_bench
 from sim.benches.dexgraspbench import dexgraspbench
+from sim.benches.document import write_bench
 from sim.benches.graspdatagen import graspdatagen
 from sim.commands.validation_report import validation_lines, validation_summary
-from sim.protocol import ACTIVE, STRICT
-from sim.squeeze import SqueezeForce, measure_squeeze_force
-from sim.squeeze_file import write_squeeze
-from sim.validation import validate
-from sim.validation_file import write_validation
-from sim.workload import Observe
+from sim.squeeze.document import write_squeeze
+from sim.squeeze.squeeze import SqueezeForce, measure_squeeze_force
+from sim.trial.protocol import ACTIVE, STRICT
+from sim.trial.workload import Observe
+from sim.validation.document import write_validation
+from sim.validation.validation import validate
 
 if TYPE_CHECKING:
     from sim.commands.validate import Options

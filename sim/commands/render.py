@@ -6,8 +6,8 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,10 +51,10 @@ def render_command(options: Options, console: Console) -> ExitCode:
     from sim.render.needs import require_drawing  # here: the help must not wait for MuJoCo
 
     require_drawing()  # before anything else imports MuJoCo
-    from planner.atomic_write import require_writable
-    from planner.grasp_file import SUFFIX, read_grasp
-    from planner.grasped_object import read_grasped_object
-    from planner.lift import in_space
+    from planner.files.atomic_write import require_writable
+    from planner.grasps.grasp_file import SUFFIX, read_grasp
+    from planner.grasps.grasped_object import read_grasped_object
+    from planner.grasps.lift import in_space
     from sim.render.film import format_of, write_pictures
     from sim.render.picture import Picture, heading_of
     from sim.render.recording import record

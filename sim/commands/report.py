@@ -6,7 +6,7 @@ from pathlib import Path
 
 import tyro
 
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,7 +37,7 @@ class Options:
 def report_command(options: Options) -> ExitCode:
     """Write one page per file and say so."""
     from planner.errors import OutputError  # here: the help must not wait for MuJoCo
-    from planner.grasp_file import SUFFIX
+    from planner.grasps.grasp_file import SUFFIX
 
     if not options.files:
         raise OutputError("no grasp file named; name one or more *.grasp.json")
@@ -57,10 +57,10 @@ def _report(file: Path, out: Path, given: Path | None, moved: Path | None) -> st
     import msgspec
 
     from planner.errors import GraspFileError
-    from planner.exports.report_page import write_report
-    from planner.grasp_file import read_grasp
-    from planner.grasped_object import read_grasped_object
-    from sim.validation_reader import read_validation_of
+    from planner.grasps.grasp_file import read_grasp
+    from planner.grasps.grasped_object import read_grasped_object
+    from sim.report.report_page import write_report
+    from sim.validation.reader import read_validation_of
 
     grasp = read_grasp(file)
     if given and not grasp.found:
@@ -75,7 +75,7 @@ def _report(file: Path, out: Path, given: Path | None, moved: Path | None) -> st
 
 def _validation_of(file: Path) -> Path | None:
     """The validation file of a grasp file, beside it or in the current folder."""
-    from planner.grasp_file import SUFFIX
+    from planner.grasps.grasp_file import SUFFIX
 
     name = f"{file.name.removesuffix(SUFFIX)}.validation.json"
     return next((place for place in (file.with_name(name), Path(name)) if place.is_file()), None)

@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.terminal import ExitCode, parse, run, write_json
+from planner.terminal.command_line import ExitCode, parse, run, write_json
+from planner.terminal.console import Console
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,12 +63,12 @@ class Options:
 def validate_command(options: Options, console: Console) -> ExitCode:
     """Validate, write the result, and say what came out."""
     console.show("loading MuJoCo and dm_control")
-    from planner.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.errors import GraspFileError
-    from planner.grasp_file import SUFFIX, read_grasp
-    from planner.grasped_object import read_grasped_object
-    from planner.lift import in_space
-    from planner.provenance.provenance import require_provenance
+    from planner.files.atomic_write import require_writable  # here: the help must not wait for MuJoCo
+    from planner.grasps.grasp_file import SUFFIX, read_grasp
+    from planner.grasps.grasped_object import read_grasped_object
+    from planner.grasps.lift import in_space
+    from planner.verification.provenance.provenance import require_provenance
     from sim.commands.modes import MODES
 
     ending, test = MODES[options.mode]

@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from sim.beyond import Beyond
-from sim.critical_force import CriticalForce
-from sim.force_agreement import ForceAgreement
-from sim.measurement import Measurement
-from sim.validation import Validation
+from sim.trial.measurement import Measurement
+from sim.validation.beyond import Beyond
+from sim.validation.critical_force import CriticalForce
+from sim.validation.force_agreement import ForceAgreement
+from sim.validation.validation import Validation
 
 TABLE_ROWS = 3
 """Wrenches shown at either end of the table of measured caps."""

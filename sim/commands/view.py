@@ -9,9 +9,9 @@ from typing import Annotated
 
 import tyro
 
-from planner.commands.console import Console
-from planner.commands.interruption import signals_as_exceptions
-from planner.commands.terminal import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.console import Console
+from planner.terminal.interruption import signals_as_exceptions
 
 
 @dataclass(frozen=True, kw_only=True)

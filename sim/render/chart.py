@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim.protocol import ValidationProtocol
 from sim.render.palette import INK, LINE, MUTED, SLIPPED
 from sim.render.sheet import Sheet
+from sim.trial.protocol import ValidationProtocol
 
 TICKS = (1e-8, 1e-6, 1e-4, 1e-2, 1.0)
 """Slips beside the chart, relative to R0; what is beyond the outer ones is drawn on them."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim.render.decor import Decor
+from sim.render.annotations import Decor
 from sim.render.palette import LOAD
 from sim.render.proportions import ARC_ROD, ARROW, SHAFT
 from sim.render.sight import exit_distance

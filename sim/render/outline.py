@@ -7,9 +7,9 @@ measured how much of it lies inside any part: half of it where the surface is fl
 import numpy as np
 
 from planner.contacts import contact_frames
-from planner.exports.sharp_edges import sharp_edges
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import unit
+from planner.pictures.sharp_edges import sharp_edges
 
 PROBES = 72
 """Points of the circle."""

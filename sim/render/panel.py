@@ -6,9 +6,10 @@ import mujoco
 import numpy as np
 
 from planner.objects.rigid_object import RigidObject
+from sim.render.annotations import Decor
 from sim.render.canvas import Canvas
-from sim.render.decor import Decor
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
+from sim.render.drawn_scene import SHADOW_PIXELS, build_stage
 from sim.render.extent import extent
 from sim.render.load import placed_load
 from sim.render.outline import visible_edges
@@ -17,7 +18,6 @@ from sim.render.proportions import ARROW, CONE_HEIGHT, CONE_OPACITY, LABEL_DEPTH
 from sim.render.recording import Recording
 from sim.render.shadow import fallen, soft_shadow
 from sim.render.sight import open_to
-from sim.render.stage import SHADOW_PIXELS, build_stage
 from sim.render.view import View, best_direction
 
 LIFT = 0.002

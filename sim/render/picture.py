@@ -7,7 +7,7 @@ import numpy as np
 from PIL import Image
 
 from planner.errors import SettingError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render.chart import Chart
 from sim.render.palette import BACKGROUND, CONE, FORCE, HELD, INK, LINE, LOAD, MUTED, SLIPPED, rgb

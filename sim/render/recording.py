@@ -12,14 +12,14 @@ import mujoco
 import numpy as np
 
 from planner.errors import SettingError, SimulationError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
-from sim.experiment import Experiment, set_up
-from sim.final_state import FinalState
-from sim.measurement import Measurement, measure
-from sim.protocol import ACTIVE, ValidationProtocol
-from sim.schedule import fractions
-from sim.trial import Trial, run
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.final_state import FinalState
+from sim.trial.measurement import Measurement, measure
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.schedule import fractions
+from sim.trial.trial import Trial, run
 
 FAR = 0.3
 """A lost object that has moved so far is left there: translation relative to the reach, rotation in radians."""
@@ -64,7 +64,7 @@ class Recording:
 
     @property
     def loads(self) -> np.ndarray:
-        """Part of the wrench of the task that acts during every step, shape (steps,); see sim/schedule.py."""
+        """Part of the wrench of the task that acts during every step, shape (steps,); see sim/trial/schedule.py."""
         return fractions(self.experiment.protocol)[: self.steps, 1]
 
     @property

@@ -12,7 +12,7 @@ from typing import Protocol
 import numpy as np
 
 from planner.contacts import Contacts
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.physics import Physics
 
 SENSOR = ("found", "force")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from planner.objects.rigid_object import ConvexPart
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.object_joints import FreeJoint, ObjectJoints
 from sim.scene.part_geom import add_part
 from sim.scene.units import Similarity

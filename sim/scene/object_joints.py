@@ -5,9 +5,9 @@ from typing import Protocol
 
 import numpy as np
 
-from planner.objects.extrusion import Slab
+from planner.objects.planar.extrusion import Slab
 from planner.objects.rigid_object import RigidObject
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 
 
 class ObjectJoints(Protocol):

@@ -8,7 +8,7 @@ from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.rigid_object import ConvexPart
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.units import Similarity
 
 PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule

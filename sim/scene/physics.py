@@ -6,7 +6,7 @@ should all hold. MuJoCo's defaults cannot make this measurement.
 
 from dataclasses import dataclass
 
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planner.objects.touch import TIP
+from planner.objects.mjcf.touch import TIP
 from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
 from sim.scene.physics import Physics

@@ -8,7 +8,7 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SimulationError
-from sim.scene.composer import mjcf
+from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.fingertips import Fingertips, tip_name
 from sim.scene.floating_object import OBJECT, FloatingObject, part_name
 from sim.scene.object_joints import ObjectJoints

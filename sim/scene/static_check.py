@@ -2,7 +2,7 @@
 
 MuJoCo collides a mesh with its convex hull, so a contact planned inside a concave mesh is buried; a
 fingertip in a corner narrower than itself touches two walls. Neither is a test of the grasp. The question is the one
-that confirms candidates (planner/objects/touch.py), so what the planner confirms is accepted here.
+that confirms candidates (planner/objects/mjcf/touch.py), so what the planner confirms is accepted here.
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from planner.millimetres import in_mm
-from planner.objects.touch import CLEARANCE, ON_SURFACE, SAME_NORMAL, TouchProbe, all_round
+from planner.objects.mjcf.touch import CLEARANCE, ON_SURFACE, SAME_NORMAL, TouchProbe, all_round
 from sim.scene.scene import Scene
 
 EQUAL = 1e-9

@@ -46,7 +46,9 @@ def similarity(contacts: Contacts, reference_point: np.ndarray, rho: float, reac
         SimulationError: When the grasp is planar, rho is not positive and finite, or every contact is at p_o.
     """
     if contacts.dimension != 3:
-        raise SimulationError("only grasps in space can be simulated; lift a planar one first (planner.lift.in_space)")
+        raise SimulationError(
+            "only grasps in space can be simulated; lift a planar one first (planner.grasps.lift.in_space)"
+        )
     if not (np.isfinite(rho) and rho > 0):
         raise SimulationError(f"rho is {rho} N; a simulation needs a positive, finite force cap")
     farthest = float(np.linalg.norm(contacts.points - reference_point, axis=1).max(initial=0))

@@ -5,9 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
-from sim.measurement import Measurement
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
 from sim.render.recording import Recording, known_outcome, record
+from sim.trial.measurement import Measurement
 from sim.view.subject import Subject
 
 

@@ -12,10 +12,10 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import GraspFileError
-from planner.grasp import Grasp
-from planner.grasp_file import SUFFIX, read_grasp
-from planner.grasped_object import read_grasped_object
-from planner.lift import in_space
+from planner.grasps.grasp import Grasp
+from planner.grasps.grasp_file import SUFFIX, read_grasp
+from planner.grasps.grasped_object import read_grasped_object
+from planner.grasps.lift import in_space
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
 from sim.render.drawn_motion import DrawnPose

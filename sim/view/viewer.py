@@ -9,12 +9,12 @@ import viser
 from planner.errors import SettingError, SimulationError
 from planner.objects.vectors import unit
 from sim.render.view import FIELD, View
-from sim.view import words
-from sim.view.actor import Actor
+from sim.view import captions as words
 from sim.view.controls import Controls
 from sim.view.layout import Layout, plan_layout, trial_layout
 from sim.view.playback import play_back
 from sim.view.screening import Screening
+from sim.view.shown_trial import Actor
 from sim.view.subject import Subject
 
 RATE = 25

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from assets.generate import FOLDER, files
-from planner.objects.planar import read_planar
+from planner.objects.planar.reader import read_planar
 
 OBJECTS = sorted(name for name in files() if name.endswith(".xml"))
 

@@ -10,14 +10,15 @@ import pytest
 from planner.candidates.choice import make_candidates
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
-from planner.grasp import Grasp
+from planner.grasp_problem import GraspProblem
+from planner.grasps.grasp import Grasp
 from planner.limits.limits import Box, Finger, Limits
 from planner.objects.rigid_object import RigidObject
 from planner.planning import MOST_TRACE_LINES, plan, recorded
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Progress
 from planner.task import Task, make_task
-from planner.verification import verify
+from planner.verification.verify import verify
 
 
 def line(seconds: float) -> Progress:
@@ -46,7 +47,7 @@ def test_a_long_log_is_thinned_evenly_between_its_ends(lines: int) -> None:
 def test_the_kept_log_is_what_was_observed(prism: RigidObject) -> None:
     seen: list[Progress] = []
     candidates = make_candidates(prism, "60", None, seed=7, fingertip=0.001)
-    grasp = plan(prism, make_task("gravity", prism), candidates, 3, observe=seen.append)
+    grasp = plan(GraspProblem(prism, make_task("gravity", prism), candidates, 3), observe=seen.append)
     for kept, progress in zip(grasp.search.trace, seen, strict=True):
         for name in ("seconds", "nodes", "open", "lower_bound", "socp_solves", "cuts"):
             assert getattr(kept, name) == getattr(progress, name), name
@@ -65,7 +66,7 @@ def test_fingers_keep_to_their_limits_and_no_choice_that_does_needs_less(prism: 
     tables = Finger(strength=0.4), Finger(within=high, strength=2.0), Finger(strength=0.4)
     limits = Limits(spacing=0.012, span=0.03, fingers=tables)
     task = Task(name="two", reference_point=np.zeros(3), wrenches=1.0 * np.eye(6)[[0, 2]])
-    grasp = plan(prism, task, candidates, 3, CertifiedSearch(gap=1e-4), limits=limits)
+    grasp = plan(GraspProblem(prism, task, candidates, 3, limits), CertifiedSearch(gap=1e-4))
     strength, solver = np.array([0.4, 2.0, 0.4]), ReferenceForces(3, 3)
 
     def rho(chosen: tuple[int, ...], least: float) -> float:
@@ -96,7 +97,7 @@ def test_the_order_of_the_tables_is_that_of_the_contacts(prism: RigidObject, lim
     tables = Finger(strength=0.5), Finger(), Finger()
     limits = Limits(spacing=0.02, span=0.028, fingers=tables)
     candidates = make_candidates(prism, "case3", 0.3, seed=0)
-    grasp = plan(prism, make_task("paper", prism), candidates, 3, limits=limits)
+    grasp = plan(GraspProblem(prism, make_task("paper", prism), candidates, 3, limits))
     assert grasp.contacts.strengths.tolist() == [0.5, 1.0, 1.0]
     assert grasp.rho == pytest.approx(limited_grasp.rho, rel=1e-3)
     assert max(grasp.lower_bound, limited_grasp.lower_bound) <= min(grasp.rho, limited_grasp.rho) * (1 + 1e-6)
@@ -105,8 +106,8 @@ def test_the_order_of_the_tables_is_that_of_the_contacts(prism: RigidObject, lim
 def test_tables_that_say_nothing_change_nothing(prism: RigidObject) -> None:
     candidates = make_candidates(prism, "40", None, seed=3)
     task = make_task("gravity", prism)
-    free = plan(prism, task, candidates, 3)
-    same = plan(prism, task, candidates, 3, limits=Limits(fingers=(Finger(),) * 3))
+    free = plan(GraspProblem(prism, task, candidates, 3))
+    same = plan(GraspProblem(prism, task, candidates, 3, Limits(fingers=(Finger(),) * 3)))
     assert same.certificate.kinds == free.certificate.kinds == ()
     assert (same.rho, same.lower_bound, same.search.nodes) == (free.rho, free.lower_bound, free.search.nodes)
     np.testing.assert_array_equal(same.candidates, free.candidates)
@@ -115,7 +116,7 @@ def test_tables_that_say_nothing_change_nothing(prism: RigidObject) -> None:
 def test_candidates_that_no_finger_may_use_are_left_out(prism: RigidObject) -> None:
     candidates = make_candidates(prism, "60", None, seed=3)
     limits = Limits(keep_out=(Box(lower=(-1, -1, -1), upper=(1, 1, 0)),))
-    grasp = plan(prism, make_task("gravity", prism), candidates, 4, CertifiedSearch(time_limit=1), limits=limits)
+    grasp = plan(GraspProblem(prism, make_task("gravity", prism), candidates, 4, limits), CertifiedSearch(time_limit=1))
     assert (grasp.certificate.candidates.points[:, 2] > 0).all()
 
 

@@ -11,13 +11,13 @@ import pytest
 from planner.candidates.choice import make_candidates
 from planner.objects.given_mass import GivenMass
 from planner.objects.mass_doubts import height_outside, mass_doubts
-from planner.objects.mjcf import read_object
-from planner.objects.planar import read_planar
+from planner.objects.mjcf.reader import read_object
+from planner.objects.planar.reader import read_planar
 from planner.plausibility import candidate_doubts, friction_doubts, gravity_doubts, grid_doubts, size_doubts
 from planner.task import make_task
-from tests.commands import ASSETS, run
-from tests.planner.objects.mjcf_files import world, written
-from tests.planner.objects.shapes import box, rigid_object
+from tests.strategies.mjcf_files import world, written
+from tests.strategies.parts import box, rigid_object
+from tests.tools.commands import ASSETS, run
 
 BOX = '<body name="brick"><freejoint/><geom name="side" type="box" size="{size}" mass="1" {more}/></body>'
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from planner.errors import TaskError
-from planner.objects.mjcf import read_object
+from planner.files.toml_file import MAX_FILE_BYTES
+from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
-from planner.objects.planar import read_planar
+from planner.objects.planar.reader import read_planar
 from planner.task import Task, make_task
-from planner.toml_file import MAX_FILE_BYTES
 from planner.wrench_sets.cylinder import Cylinder
-from tests.planner.wrench_sets.brick import brick
+from tests.strategies.bricks import brick
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 

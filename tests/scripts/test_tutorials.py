@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from planner.grasp_file import read_grasp
-from tests.commands import ROOT, says
+from planner.grasps.grasp_file import read_grasp
+from tests.tools.commands import ROOT, says
 
 TUTORIALS = ROOT / "scripts" / "tutorials"
 

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from planner.contacts import Contacts
-from sim.experiment import floating_object
-from sim.measurement import Measurement, measure
-from sim.protocol import ACTIVE, ValidationProtocol
 from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
 from sim.scene.scene import build_scene
 from sim.scene.units import similarity
-from sim.trial import Trial, run
-from tests.sim.planned import box
+from sim.trial.experiment import floating_object
+from sim.trial.measurement import Measurement, measure
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.trial import Trial, run
+from tests.strategies.planned_grasps import box
 
 FRICTION, PRESS = 0.4, 1.0
 RADIUS = 0.04 * ACTIVE.reach

@@ -9,9 +9,9 @@ from scipy.spatial.transform import Rotation
 from planner.contacts import Contacts
 from planner.objects.parts.cylinder import Cylinder
 from planner.objects.pose import Pose
-from sim.critical_force import CriticalForce, measure_critical_force
-from sim.protocol import ACTIVE, ValidationProtocol
-from tests.sim.planned import Planned, box, prism, rigid_object
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.validation.critical_force import CriticalForce, measure_critical_force
+from tests.strategies.planned_grasps import Planned, box, prism, rigid_object
 
 FRICTION = 0.5
 

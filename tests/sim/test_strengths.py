@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 
 from planner.errors import ContactError, SettingError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from planner.task import Task
 from sim.benches.dexgraspbench import dexgraspbench
-from sim.critical_force import measure_critical_force
-from sim.feed_forward import FeedForward
-from sim.prediction import predicted_caps
-from sim.protocol import ACTIVE
-from sim.squeeze import measure_squeeze_force
-from sim.validation import Validation, validate
-from sim.validation_file import to_document
-from sim.verdict import Verdict
+from sim.squeeze.squeeze import measure_squeeze_force
+from sim.trial.feed_forward import FeedForward
+from sim.trial.prediction import predicted_caps
+from sim.trial.protocol import ACTIVE
+from sim.validation.critical_force import measure_critical_force
+from sim.validation.document import to_document
+from sim.validation.validation import Validation, validate
+from sim.validation.verdict import Verdict
 
 WEAK = 2
 """The finger of strength 0.5."""

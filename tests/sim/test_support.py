@@ -11,26 +11,27 @@ from hypothesis import strategies as st
 from planner.candidates.choice import make_candidates
 from planner.contact_models.friction_cone import components
 from planner.contacts import Contacts, grasp_maps
-from planner.objects.mjcf import read_object
+from planner.grasp_problem import GraspProblem
+from planner.objects.mjcf.reader import read_object
 from planner.objects.parts.sphere import Sphere
-from planner.objects.planar import read_planar
+from planner.objects.planar.reader import read_planar
 from planner.objects.pose import Pose
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import make_task
-from sim.adaptive import adaptive_trial
 from sim.commands.modes import MODES
 from sim.commands.validate import Options
 from sim.commands.validation_report import validation_lines
-from sim.prediction import on_friction_limit
-from sim.protocol import ACTIVE
 from sim.scene.units import similarity
-from sim.schedule import fractions
-from sim.validation import validate
-from sim.verdict import Verdict
-from tests.commands import ASSETS
-from tests.sim.planned import Planned, box
+from sim.trial.active import adaptive_trial
+from sim.trial.prediction import on_friction_limit
+from sim.trial.protocol import ACTIVE
+from sim.trial.schedule import fractions
+from sim.validation.validation import validate
+from sim.validation.verdict import Verdict
 from tests.sim.test_feed_forward import grasp_and_wrench
+from tests.strategies.planned_grasps import Planned, box
+from tests.tools.commands import ASSETS
 
 WEIGHT = 9.81
 ORIGIN = np.zeros(3)
@@ -145,7 +146,7 @@ def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(
 def test_a_mug_that_is_poured_is_confirmed_and_the_verdict_explains_its_unit_of_slip() -> None:
     mug = read_object(ASSETS / "mug" / "mug.xml")
     task = make_task(str(ASSETS / "tasks" / "pour.toml"), mug)
-    grasp = plan(mug, task, make_candidates(mug, "100", 0.5, seed=0), 3, CertifiedSearch(gap=0.01))
+    grasp = plan(GraspProblem(mug, task, make_candidates(mug, "100", 0.5, seed=0), 3), CertifiedSearch(gap=0.01))
     validation = validate(mug, grasp)
     assert validation.verdict, validation.reasons
     assert any(line.startswith("R0 ") and "largest distance" in line for line in validation_lines(validation))
@@ -164,7 +165,7 @@ def test_a_square_on_its_corner_in_the_plane_is_confirmed(tmp_path: Path) -> Non
     (tmp_path / "rest.toml").write_text('[set]\nkind = "single"\nwrench = [0, -9.81, 0]\n')
     square = read_planar(tmp_path / "square.toml")
     task = make_task(str(tmp_path / "rest.toml"), square)
-    grasp = plan(square, task, make_candidates(square, str(tmp_path / "rest.csv"), 0.3, seed=0), 2)
+    grasp = plan(GraspProblem(square, task, make_candidates(square, str(tmp_path / "rest.csv"), 0.3, seed=0), 2))
     assert grasp.rho == pytest.approx(WEIGHT / 2 / np.cos(np.pi / 4 - np.arctan(0.3)), rel=1e-6)
     validation = validate(square, grasp)
     assert validation.verdict, validation.reasons

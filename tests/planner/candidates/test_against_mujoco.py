@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from planner.candidates.choice import make_candidates
-from planner.objects.mjcf import read_object
-from tests.planner.candidates.fingertip import Fingertip
-from tests.planner.objects.mjcf_files import EVERY_SHAPE, SHARED_OBJECTS, shared_object, world, written
+from planner.objects.mjcf.reader import read_object
+from tests.strategies.mjcf_files import EVERY_SHAPE, SHARED_OBJECTS, shared_object, world, written
+from tests.tools.fingertip import Fingertip
 
 OVERLAPPING = world(
     '<body name="outer" pos="1 2 3" euler="10 20 30"><freejoint/>'

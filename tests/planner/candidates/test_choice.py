@@ -10,7 +10,7 @@ from planner.errors import CandidateError
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.rigid_object import RigidObject
-from tests.planner.objects.shapes import NAME, PRISM_CORNERS, TILTED, box, rigid_object
+from tests.strategies.parts import NAME, PRISM_CORNERS, TILTED, box, rigid_object
 
 
 def prism(friction: float = 0.3) -> RigidObject:

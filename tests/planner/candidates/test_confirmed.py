@@ -9,9 +9,9 @@ import pytest
 from planner.candidates.choice import make_candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.errors import CandidateError
-from planner.objects.mjcf import read_object
-from tests.planner.objects.cup import HALF, WALL, box_cup
-from tests.planner.objects.mjcf_files import EVERY_SHAPE, shared_object, written
+from planner.objects.mjcf.reader import read_object
+from tests.strategies.cups import HALF, WALL, box_cup
+from tests.strategies.mjcf_files import EVERY_SHAPE, shared_object, written
 
 
 def test_candidates_on_every_kind_of_geom_are_confirmed(tmp_path: Path) -> None:

@@ -9,9 +9,9 @@ from planner.candidates.choice import make_candidates
 from planner.candidates.edges import edge_candidates, edge_grid
 from planner.errors import CandidateError
 from planner.objects.object_file import read_object_file
-from planner.objects.planar_object import PlanarObject
-from tests.commands import ASSETS
-from tests.planner.objects.planar_objects import HOOK, RECTANGLE, planar_object, star
+from planner.objects.planar.planar_object import PlanarObject
+from tests.strategies.planar_objects import HOOK, RECTANGLE, planar_object, star
+from tests.tools.commands import ASSETS
 
 
 def asset(name: str) -> PlanarObject:

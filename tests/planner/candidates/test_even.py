@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from planner.candidates.even import even_candidates
 from planner.errors import CandidateError
-from tests.planner.objects.shapes import box, rigid_object, tilted_parts
+from tests.strategies.parts import box, rigid_object, tilted_parts
 
 PARTS = tilted_parts()
 EVERYTHING = rigid_object(*PARTS.values())

@@ -10,12 +10,12 @@ from planner.candidates.choice import make_candidates
 from planner.candidates.even import even_candidates
 from planner.candidates.listed import listed_candidates
 from planner.errors import CandidateError
-from planner.grasp_file import read_grasp
+from planner.grasps.grasp_file import read_grasp
 from planner.objects.object_file import read_object_file
 from planner.objects.rigid_object import RigidObject
-from tests.commands import ASSETS, run, says
-from tests.planner.objects.planar_objects import RECTANGLE, planar_object
-from tests.planner.objects.shapes import box, rigid_object, tilted_parts
+from tests.strategies.parts import box, rigid_object, tilted_parts
+from tests.strategies.planar_objects import RECTANGLE, planar_object
+from tests.tools.commands import ASSETS, run, says
 
 OBJECTS = sorted(ASSETS.glob("*/*.xml"))
 HALF_A_THOUSANDTH = 0.5e-6 * np.sqrt(3)

@@ -7,7 +7,7 @@ from planner.candidates.case3 import case3_points
 from planner.candidates.grid import grid_candidates
 from planner.errors import CandidateError
 from planner.objects.parts.polyhedron import Polyhedron
-from tests.planner.objects.shapes import FRICTION, NAME, PRISM_CORNERS, box, rigid_object, tilted_parts
+from tests.strategies.parts import FRICTION, NAME, PRISM_CORNERS, box, rigid_object, tilted_parts
 
 
 def as_set(points: np.ndarray) -> set[tuple[float, ...]]:

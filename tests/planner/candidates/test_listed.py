@@ -8,7 +8,7 @@ import pytest
 from planner.candidates.even import even_candidates
 from planner.candidates.listed import listed_candidates, read_points
 from planner.errors import CandidateError
-from tests.planner.objects.shapes import box, rigid_object, tilted_parts
+from tests.strategies.parts import box, rigid_object, tilted_parts
 
 EVERYTHING = rigid_object(*tilted_parts().values())
 

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from planner.grasp_file import numbered, read_grasp
+from planner.grasps.grasp_file import numbered, read_grasp
 from planner.search.result import Status
-from planner.verification import verify
-from tests.commands import run
+from planner.verification.verify import verify
+from tests.tools.commands import run
 
 PRISM = Path(__file__).resolve().parents[3] / "assets" / "prism" / "prism.xml"
 

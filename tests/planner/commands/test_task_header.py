@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ASSETS, run, says
+from tests.tools.commands import ASSETS, run, says
 
 BAR = """<mujoco><worldbody><body name="bar" {pose}><freejoint/>
 <geom name="bar" type="box" size="0.05 0.02 0.03" mass="1" friction="0.5"/></body></worldbody></mujoco>"""

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import run
+from tests.tools.commands import run
 
 METRES_OR_RADIANS = re.compile(r"(?<![\w.])-?\d[\d.e+-]* (m|cm|rad|µm|um|N mm)\b")
 

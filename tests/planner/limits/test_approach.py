@@ -11,16 +11,16 @@ from planner.candidates.choice import make_candidates
 from planner.candidates.listed import listed_candidates
 from planner.limits.approach import approachable
 from planner.limits.limits import Approach, Limits, Table
-from planner.objects.exposure import SEAM
-from planner.objects.mjcf import read_object
-from planner.objects.planar_object import PlanarObject
-from tests.commands import ASSETS
+from planner.objects.mjcf.reader import read_object
+from planner.objects.planar.planar_object import PlanarObject
+from planner.objects.surface.exposure import SEAM
 from tests.planner.candidates.test_against_mujoco import OVERLAPPING
-from tests.planner.limits.capsule import Capsule
-from tests.planner.objects.cup import box_cup
-from tests.planner.objects.mjcf_files import EVERY_SHAPE, shared_object, written
-from tests.planner.objects.planar_objects import HOOK, planar_object, star
-from tests.planner.objects.shapes import box, rigid_object
+from tests.strategies.cups import box_cup
+from tests.strategies.mjcf_files import EVERY_SHAPE, shared_object, written
+from tests.strategies.parts import box, rigid_object
+from tests.strategies.planar_objects import HOOK, planar_object, star
+from tests.tools.capsule import Capsule
+from tests.tools.commands import ASSETS
 
 
 def agrees_with_mujoco(path: Path, radius: float, length: float, candidates: int) -> None:

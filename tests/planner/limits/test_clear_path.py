@@ -7,8 +7,8 @@ import pytest
 
 from planner.limits.clear_path import keeps_clear, stays_above
 from planner.limits.obstacles import Edge, HalfSpace, Obstacle, Solid
-from tests.planner.objects.planar_objects import HOOK, planar_object
-from tests.planner.objects.shapes import tilted_parts
+from tests.strategies.parts import tilted_parts
+from tests.strategies.planar_objects import HOOK, planar_object
 
 PARTS = tilted_parts()
 SAMPLES = 50

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ASSETS, run, says
+from tests.tools.commands import ASSETS, run, says
 
 MUG = ASSETS / "mug" / "mug.xml"
 TABLE = "\n[table]\nnormal = [0, 0, 1]\nclearance = 0.02\n"

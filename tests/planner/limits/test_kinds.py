@@ -10,10 +10,10 @@ from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, LimitsError
 from planner.limits.kinds import finger_kinds
 from planner.limits.limits import Box, Finger, Limits
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.search.finger_kind import FingerKind
-from tests.commands import ASSETS
+from tests.tools.commands import ASSETS
 
 UPRIGHT = ("upright",)
 

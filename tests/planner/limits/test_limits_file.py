@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from planner.errors import LimitsError
+from planner.files.toml_file import MAX_FILE_BYTES
 from planner.limits.limits import Approach, Box, Finger, Limits, Table
 from planner.limits.limits_file import read_limits
 from planner.objects.object_file import read_object_file
 from planner.objects.rigid_object import RigidObject
-from planner.toml_file import MAX_FILE_BYTES
-from tests.commands import ASSETS
-from tests.planner.objects.planar_objects import RECTANGLE, planar_object
-from tests.planner.objects.shapes import NAME, box, rigid_object
+from tests.strategies.parts import NAME, box, rigid_object
+from tests.strategies.planar_objects import RECTANGLE, planar_object
+from tests.tools.commands import ASSETS
 
 EVERYTHING = f"""
 spacing = 0.015

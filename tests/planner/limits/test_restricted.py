@@ -10,19 +10,20 @@ import pytest
 from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, LimitsError
+from planner.grasp_problem import GraspProblem
 from planner.limits.limits import Approach, Box, Limits, Table
 from planner.limits.restricted import restricted
 from planner.limits.table import table_height
-from planner.objects.mjcf import read_object
-from planner.objects.planar import read_planar
+from planner.objects.mjcf.reader import read_object
+from planner.objects.planar.reader import read_planar
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem
 from planner.task import make_task
-from tests.commands import ASSETS
-from tests.planner.limits.capsule import Capsule
-from tests.planner.objects.shapes import rigid_object, tilted_parts
+from tests.strategies.parts import rigid_object, tilted_parts
+from tests.tools.capsule import Capsule
+from tests.tools.commands import ASSETS
 
 PARTS = tilted_parts()
 BRACKET = ASSETS / "bracket" / "bracket.xml"
@@ -88,7 +89,7 @@ def test_planning_with_a_restriction_is_enumerating_what_it_allows(
     task = make_task("axes6", bracket)
     left = restricted(bracket, candidates, limits)
     assert left.removed == {**dict.fromkeys(CASES, 0), name: len(candidates) - len(allowed)}
-    grasp = plan(bracket, task, left.candidates, 3)
+    grasp = plan(GraspProblem(bracket, task, left.candidates, 3))
     problem = SearchProblem(
         contacts=candidates.contacts.subset(np.array(allowed)),
         fingers=3,
@@ -185,7 +186,7 @@ def test_a_planar_object_is_restricted_by_the_same_limits() -> None:
         index for index, (x, y) in enumerate(points) if x > -0.06 and y >= -0.03 + 0.005
     ]  # it stands on its head
     task = make_task("axes6", spanner)
-    grasp = plan(spanner, task, restricted(spanner, candidates, limits).candidates, 3)
+    grasp = plan(GraspProblem(spanner, task, restricted(spanner, candidates, limits).candidates, 3))
     problem = SearchProblem(
         contacts=candidates.contacts.subset(np.array(allowed)),
         fingers=3,

@@ -11,11 +11,11 @@ from planner.candidates.choice import make_candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.errors import MasslessError, ObjectError
 from planner.objects.given_mass import GivenMass
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
+from planner.objects.mjcf.visual import visual_difference
 from planner.objects.object_source import ObjectSource
 from planner.objects.rigid_object import RigidObject
-from planner.objects.visual import visual_difference
-from tests.planner.objects.mjcf_files import world, written
+from tests.strategies.mjcf_files import world, written
 
 BOX = '<geom name="box" type="box" size=".025 .02 .03" mass=".2"/>'
 

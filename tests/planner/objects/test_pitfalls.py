@@ -12,13 +12,13 @@ import trimesh
 
 from planner.candidates.choice import make_candidates
 from planner.errors import ObjectError
-from planner.objects.compiled import compile_mjcf
 from planner.objects.mass_doubts import mass_doubts, union_volume
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.compiled import compile_mjcf
+from planner.objects.mjcf.reader import read_object
+from planner.objects.mjcf.visual import visual_difference
 from planner.objects.rigid_object import RigidObject
-from planner.objects.visual import visual_difference
-from tests.planner.objects.cup import HALF, WALL, box_cup, cup_mesh, mesh_cup
-from tests.planner.objects.mjcf_files import world, written
+from tests.strategies.cups import HALF, WALL, box_cup, cup_mesh, mesh_cup
+from tests.strategies.mjcf_files import world, written
 
 WEDGE = "0 0 0  4 0 0  0 2 0  4 2 0  0 0 1  0 2 1"
 """A ramp of 4 x 2 x 1: its centre of mass is not in its middle, so MuJoCo recentres and turns it."""

@@ -7,10 +7,10 @@ import pytest
 
 from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, ObjectError
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
 from planner.objects.rigid_object import RigidObject
-from tests.planner.objects.mjcf_files import world, written
+from tests.strategies.mjcf_files import world, written
 
 MUG = """<body name="mug" pos="1 2 3" euler="20 30 40"><freejoint/>
   <geom name="wall" type="cylinder" size=".04 .05" mass=".4"/>

@@ -11,7 +11,7 @@ from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem
 from planner.search.result import SearchResult, Status
-from tests.planner.search.instances import random_problem
+from tests.strategies.search_problems import random_problem
 
 GAP = 1e-3
 SEEDS = range(240)

@@ -8,15 +8,15 @@ import pytest
 
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
-from planner.search.bounded_rows import NO_CUT, BoundedRows
 from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
 from planner.search.finger_kind import FingerKind
-from planner.search.frontier import split
 from planner.search.node_bounds import RAISED, NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.tree import CandidateTree, build_tree
-from tests.planner.search.instances import random_problem
+from planner.search.regions.bounded_rows import NO_CUT, BoundedRows
+from planner.search.regions.candidate_tree import CandidateTree, build_tree
+from planner.search.regions.frontier import split
+from tests.strategies.search_problems import random_problem
 
 PROBLEMS = [random_problem(seed) for seed in range(12)]
 

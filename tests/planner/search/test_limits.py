@@ -7,12 +7,10 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from planner.certificate import check_bound
 from planner.contacts import Contacts, contact_frames
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.proof_check import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
@@ -20,8 +18,10 @@ from planner.search.finger_kind import FingerKind
 from planner.search.paper import PaperSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
-from tests.planner.limited import opposite_problem
-from tests.planner.search.instances import random_problem
+from planner.verification.bound_check import check_bound
+from planner.verification.proof_check import certificate_of
+from tests.strategies.limited_problems import opposite_problem
+from tests.strategies.search_problems import random_problem
 
 GAP = 1e-3
 SEEDS = [seed for seed in range(60) if random_problem(seed).fingers == 3][:16]

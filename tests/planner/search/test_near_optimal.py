@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from planner.forces.least_total import largest_least_total
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.search.certified import CertifiedSearch
 from planner.search.coarse_to_fine import CoarseToFine
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
 from planner.search.tie_break import tie_break
-from tests.planner.search.instances import random_problem
+from tests.strategies.search_problems import random_problem
 
 SEEDS = range(400, 430)
 

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from planner.errors import CandidateError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.search.certified import CertifiedSearch
 from planner.search.exhaustive import exhaustive_search
 from planner.search.lower_bounds import Bound
 from planner.search.paper import PaperSearch, all_subsets
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
-from tests.planner.search.instances import random_problem
+from tests.strategies.search_problems import random_problem
 
 
 @pytest.mark.parametrize("bound", ["relaxation", "subproblem 2"])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from planner.candidates.choice import make_candidates
+from planner.grasp_problem import GraspProblem
 from planner.objects.object_file import read_object_file
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
@@ -14,8 +15,8 @@ from planner.search.paper import PaperSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
 from planner.task import make_task
-from tests.commands import ASSETS
-from tests.planner.objects.planar_objects import RECTANGLE, planar_object
+from tests.strategies.planar_objects import RECTANGLE, planar_object
+from tests.tools.commands import ASSETS
 
 GAP = 1e-4
 
@@ -83,7 +84,7 @@ def test_two_opposite_fingers_need_what_statics_says(tmp_path: Path) -> None:
         assert antipodal_phi(0.03, 0.4, np.array(wrench)) == pytest.approx(expected)
         task.write_text(f'set = {{kind = "single", wrench = {wrench}}}')
         candidates = make_candidates(planar, str(points), 0.4, seed=0)
-        grasp = plan(planar, make_task(str(task), planar), candidates, fingers=2)
+        grasp = plan(GraspProblem(planar, make_task(str(task), planar), candidates, fingers=2))
         assert grasp.rho == pytest.approx(expected, rel=1e-6)
 
 
@@ -93,6 +94,6 @@ def test_two_opposite_fingers_need_what_statics_says_for_the_papers_set(friction
     points = tmp_path / "opposite.csv"
     points.write_text("0.03,0\n-0.03,0\n")
     task = make_task("paper", planar)
-    grasp = plan(planar, task, make_candidates(planar, str(points), friction, seed=0), fingers=2)
+    grasp = plan(GraspProblem(planar, task, make_candidates(planar, str(points), friction, seed=0), fingers=2))
     expected = [antipodal_phi(0.03, friction, wrench) for wrench in task.wrenches]
     np.testing.assert_allclose(grasp.phi, expected, rtol=1e-6)

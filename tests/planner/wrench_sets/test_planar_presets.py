@@ -10,8 +10,8 @@ from planner.errors import TaskError
 from planner.objects.object_file import read_object_file
 from planner.task import make_task
 from planner.wrench_sets.presets import GRAVITY
-from tests.commands import ASSETS
-from tests.planner.objects.planar_objects import HOOK, RECTANGLE, planar_object
+from tests.strategies.planar_objects import HOOK, RECTANGLE, planar_object
+from tests.tools.commands import ASSETS
 
 WEIGHT = 0.05 * GRAVITY
 

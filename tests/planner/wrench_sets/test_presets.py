@@ -7,9 +7,9 @@ import pytest
 from scipy.spatial import ConvexHull
 
 from planner.errors import TaskError
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Gravity, Paper
-from tests.planner.wrench_sets.brick import brick
+from tests.strategies.bricks import brick
 
 ASSETS = Path(__file__).resolve().parents[3] / "assets"
 

@@ -10,14 +10,14 @@ import pytest
 
 from planner.contacts import Contacts
 from planner.errors import SettingError, SimulationError
-from planner.objects.mjcf import read_object
+from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from sim.benches.bench import BenchOutcome
-from sim.benches.bench_file import FORMAT, BenchDocument, to_document, write_bench
 from sim.benches.dexgraspbench import DEXGRASPBENCH, dexgraspbench
+from sim.benches.document import FORMAT, BenchDocument, to_document, write_bench
 from sim.benches.graspdatagen import GRASPDATAGEN, graspdatagen
 from sim.benches.world import build_world
-from tests.commands import ASSETS
+from tests.tools.commands import ASSETS
 
 BENCHES = {"DexGraspBench": dexgraspbench, "GraspDataGen": graspdatagen}
 

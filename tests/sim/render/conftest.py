@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from planner.errors import RenderingError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render.picture import Picture, heading_of
 from sim.render.recording import Recording, record

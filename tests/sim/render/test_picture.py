@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from planner.errors import OutputError, RenderingError, SettingError
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render import film
 from sim.render.film import FORMATS, Format, Frames, film_steps, format_of

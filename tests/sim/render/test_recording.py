@@ -9,14 +9,15 @@ import pytest
 
 from planner.candidates.choice import make_candidates
 from planner.errors import SettingError
-from planner.grasp import Grasp
-from planner.objects.mjcf import read_object
+from planner.grasp_problem import GraspProblem
+from planner.grasps.grasp import Grasp
+from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import make_task
-from sim.protocol import ACTIVE
 from sim.render.recording import FAR, Recording, outcome, record
+from sim.trial.protocol import ACTIVE
 from tests.sim.test_planar import planned
 
 BALL = '<mujoco><worldbody><body name="b"><freejoint/><geom size=".03"/></body></worldbody></mujoco>'
@@ -47,7 +48,9 @@ def ball(folder: Path) -> tuple[RigidObject, Grasp]:
     file.write_text(BALL)
     seen = read_object(file)
     candidates = make_candidates(seen, "40", 0.5, seed=0)
-    return seen, plan(seen, make_task("gravity", seen), candidates, fingers=3, search=CertifiedSearch(gap=0.2))
+    return seen, plan(
+        GraspProblem(seen, make_task("gravity", seen), candidates, fingers=3), search=CertifiedSearch(gap=0.2)
+    )
 
 
 def spanner(_: Path) -> tuple[RigidObject, Grasp]:

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from sim.render.picture import Picture
-from tests.commands import ROOT, heavy_after_help, run, says
+from tests.tools.commands import ROOT, heavy_after_help, run, says
 
 
 def test_the_command_draws_and_says_what_was_seen(

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from sim.schedule import fractions
+from sim.trial.schedule import fractions
+from sim.view.captions import about, asked, caption, measured_forces, plain, planned_forces
 from sim.view.layout import ASPECT, Layout, plan_layout, trial_layout
 from sim.view.playback import Playback
 from sim.view.player import SLOWER, Player
 from sim.view.subject import Subject
-from sim.view.words import about, asked, caption, measured_forces, plain, planned_forces
 
 
 def test_the_trial_begins_where_the_grasp_was_planned(prism_subject: Subject, playback: Playback) -> None:

@@ -8,8 +8,8 @@ import pytest
 
 from planner.contacts import Contacts
 from planner.errors import GraspFileError
-from planner.grasp import Grasp
-from planner.grasp_file import read_grasp
+from planner.grasps.grasp import Grasp
+from planner.grasps.grasp_file import read_grasp
 from planner.objects.rigid_object import RigidObject
 from planner.search.result import Status
 from sim.view.subject import Subject, read_subject, subject

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import ROOT, heavy_after_help, run, says
+from tests.tools.commands import ROOT, heavy_after_help, run, says
 
 
 def test_ctrl_c_ends_it_cleanly(golden_file: Path) -> None:

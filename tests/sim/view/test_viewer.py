@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from planner.grasp import Grasp
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.view.subject import Subject, subject
 from tests.sim.test_planar import planned

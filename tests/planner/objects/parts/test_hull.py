@@ -5,7 +5,7 @@ import pytest
 
 from planner.errors import ObjectError
 from planner.objects.parts.hull import convex_facets
-from tests.planner.objects.shapes import PRISM_CORNERS, TILTED
+from tests.strategies.parts import PRISM_CORNERS, TILTED
 
 
 def drum(sides: int) -> np.ndarray:

@@ -6,7 +6,7 @@ import pytest
 from planner.objects.parts.cylinder import BOTTOM, TOP
 from planner.objects.rigid_object import ConvexPart
 from planner.objects.vectors import norm
-from tests.planner.objects.shapes import TILTED, tilted_parts
+from tests.strategies.parts import TILTED, tilted_parts
 
 PARTS = tilted_parts()
 every_part = pytest.mark.parametrize("part", PARTS.values(), ids=PARTS.keys())

@@ -1,0 +1,1 @@
+"""The outside of a union of convex parts: nearest points, what is exposed, random points, coincident parts."""

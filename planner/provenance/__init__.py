@@ -1,1 +1,0 @@
-"""Does a grasp belong to its object: mass, task and candidates made again, and compared?"""

@@ -1,0 +1,37 @@
+"""Which rows of tree nodes hold subsets whose contacts are neither too close to each other nor too far apart.
+
+The points below a node lie in its bounding box, so two boxes that are everywhere closer than the spacing, or everywhere
+farther apart than the span, hold no pair that is wanted. For single candidates this is exact.
+"""
+
+from itertools import combinations
+
+import numpy as np
+
+from planner.search.problem import SearchProblem
+from planner.search.regions.candidate_tree import CandidateTree
+
+
+class Spacing:
+    """Bounding boxes of all nodes, and the distances that are wanted."""
+
+    def __init__(self, problem: SearchProblem, tree: CandidateTree) -> None:
+        self._needed = problem.pairs_are_limited
+        self._least, self._most = problem.least_distance, problem.span
+        if self._needed:
+            self._lower, self._upper = tree.boxes(problem.contacts.points)
+
+    def possible(self, rows: np.ndarray) -> np.ndarray:
+        """Which rows may hold a wanted subset, shape (rows,).
+
+        Args:
+            rows: Node numbers, shape (rows, m).
+        """
+        possible = np.ones(len(rows), dtype=bool)
+        if self._needed:
+            for first, second in combinations(rows.T, 2):
+                gaps = np.maximum(self._lower[second] - self._upper[first], self._lower[first] - self._upper[second])
+                reach = np.maximum(self._upper[second] - self._lower[first], self._upper[first] - self._lower[second])
+                possible &= np.linalg.norm(np.maximum(gaps, 0.0), axis=1) <= self._most
+                possible &= np.linalg.norm(reach, axis=1) >= self._least
+        return possible

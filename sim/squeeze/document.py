@@ -1,0 +1,87 @@
+"""The squeeze file: predicted and measured need of a passive squeeze with every setting, as one JSON document."""
+
+from pathlib import Path
+
+import msgspec
+
+from planner.files.atomic_write import write_atomically
+from planner.objects.rigid_object import RigidObject
+from sim.squeeze.squeeze import AGREEMENT, FORCE_TOLERANCE, SqueezeForce
+from sim.trial.protocol import ValidationProtocol
+from sim.validation.document import ObjectRecord
+
+FORMAT, FORMAT_VERSION = "rhograsp.squeeze", 1
+
+
+class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
+    """The whole document. A squeeze_force is not rho."""
+
+    format: str
+    format_version: int
+    grasp: str | None
+    """Name of the grasp file; null if the grasp came from memory."""
+    object: ObjectRecord
+    confirmed: bool
+    """Whether prediction and measurement agree."""
+    rho: float
+    """Predicted force cap of fingers that adapt, for comparison [N]."""
+    squeeze_force: float | None
+    """Predicted need of fingers that do not adapt [N]; null if no constant preload holds every wrench."""
+    preload: tuple[tuple[float, float, float], ...] | None
+    """Constant push of each finger in the body frame [N]."""
+    measured_lower: float
+    """Largest force with which some wrench slipped [N]; 0 if none was seen to, or nothing was measured because no
+    constant preload holds every wrench."""
+    measured_upper: float | None
+    """Least force with which every wrench held [N]; null if none was seen to."""
+    critical_wrench: int | None
+    """The wrench that slipped most at measured_lower."""
+    force_tolerance: float
+    """A held finger feels no more than its share when it exceeds it by less than this part."""
+    agreement: float
+    """Prediction and measurement agree when they differ by less than this part."""
+    protocol: ValidationProtocol
+    """Name, settings and thresholds."""
+    versions: dict[str, str]
+    """Versions of the packages that can change the outcome."""
+
+
+def to_document(squeeze: SqueezeForce, rigid_object: RigidObject, rho: float, grasp: str | None) -> SqueezeDocument:
+    """The result as plain values; infinite forces become null."""
+    predicted, feasible = squeeze.predicted, squeeze.predicted.feasible
+    return SqueezeDocument(
+        format=FORMAT,
+        format_version=FORMAT_VERSION,
+        grasp=grasp,
+        object=ObjectRecord(sha256=rigid_object.sha256, body=rigid_object.body),
+        confirmed=squeeze.confirmed,
+        rho=rho,
+        squeeze_force=predicted.squeeze_force if feasible else None,
+        preload=tuple((x, y, z) for x, y, z in predicted.preload.tolist()) if feasible else None,
+        measured_lower=squeeze.lower,
+        measured_upper=squeeze.upper if squeeze.upper < float("inf") else None,
+        critical_wrench=squeeze.critical_wrench,
+        force_tolerance=FORCE_TOLERANCE,
+        agreement=AGREEMENT,
+        protocol=squeeze.protocol,
+        versions=squeeze.versions,
+    )
+
+
+def write_squeeze(
+    path: Path, squeeze: SqueezeForce, rigid_object: RigidObject, *, rho: float, grasp: str | None = None
+) -> None:
+    """Write the document: a reader sees the old file or the whole new one.
+
+    Args:
+        path: By convention ends in `.squeeze.json`.
+        squeeze: What to write.
+        rigid_object: What was held.
+        rho: Predicted force cap of fingers that adapt [N].
+        grasp: Name of the grasp file.
+
+    Raises:
+        OutputError: When `path` cannot be written.
+    """
+    document = msgspec.json.encode(to_document(squeeze, rigid_object, rho, grasp))
+    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")

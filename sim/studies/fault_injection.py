@@ -1,0 +1,147 @@
+"""Planners that are wrong, on purpose: would the measurement notice?
+
+A sabotage lets the planner believe something false, and if it misleads also the fingers, while the simulation stays
+true. The wrong prediction is then compared with what MuJoCo measures.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from planner.contacts import Contacts, contact_frames
+from planner.forces.cvxpy_forces import CvxpyForces
+from planner.forces.problem import ForceProblem
+from sim.studies.survey import FeasibleGrasp
+from sim.trial.experiment import Experiment
+from sim.trial.prediction import predicted_caps
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.trial import Trial
+from sim.validation.critical_force import CriticalForce, bisect_caps
+
+Belief = Callable[[np.ndarray, float], np.ndarray]
+"""From the true wrenches, shape (l, 6) [N, N m], and R0 [m] to the believed ones."""
+Prediction = Callable[[Contacts, np.ndarray, np.ndarray], np.ndarray]
+"""Contacts, reference point and wrenches to phi, as `predicted_caps`."""
+
+OFFSET = 0.05 * np.array([1.0, 1.0, 1.0]) / np.sqrt(3)
+"""Error of the moment's reference point over R0."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sabotage:
+    """One way to be wrong."""
+
+    name: str
+
+    believed: Belief = lambda wrenches, _: wrenches
+    """The wrenches that the planner believes in."""
+
+    misleads: bool = False
+    """Whether the fingers believe in them too."""
+
+    predict: Prediction = predicted_caps
+    """How the planner predicts."""
+
+    friction_factor: float = 1.0
+    """Friction in the simulator over the planned."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MisledExperiment(Experiment):
+    """An experiment whose fingers answer wrenches other than those that come."""
+
+    believed: Callable[[np.ndarray], np.ndarray]
+    """From the true wrenches to the believed ones, shape (l, 6) [N, N m]."""
+
+    def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+        """Forces for what is believed, wrenches as they are."""
+        trial = super().adaptive(self.believed(wrenches), caps)
+        return replace(trial, wrenches=self.units.wrenches(wrenches))
+
+
+class PyramidForces(CvxpyForces):
+    """Subproblem 2 with the friction cone's circle replaced by an inscribed regular polygon."""
+
+    sides: int
+
+    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+        """Distances from the polygon's sides: outward normals of the sides in the tangent plane, shape (sides, 3)."""
+        angles = 2 * np.pi * np.arange(self.sides) / self.sides
+        tangents = contact_frames(normal[None])[0, :, 1:]
+        return np.stack([np.cos(angles), np.sin(angles)], axis=1) @ tangents.T
+
+    def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+        """See `CvxpyForces.inequalities`."""
+        import cvxpy as cp
+
+        return [tangential <= np.cos(np.pi / self.sides) * limit, cp.norm(force) <= cap]
+
+
+class SquareForces(PyramidForces):
+    """The pyramid most simulators default to."""
+
+    sides = 4
+
+
+class OctagonForces(PyramidForces):
+    """Eight sides."""
+
+    sides = 8
+
+
+def _by(forces: type[PyramidForces]) -> Prediction:
+    def predict(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+        solver = forces(len(contacts), contacts.dimension)
+        problems = [ForceProblem(contacts=contacts, reference_point=reference_point, wrench=each) for each in wrenches]
+        return np.array([solver.solve(problem).phi for problem in problems])
+
+    return predict
+
+
+def _about_a_wrong_point(wrenches: np.ndarray, radius: float) -> np.ndarray:
+    return np.hstack([wrenches[:, :3], wrenches[:, 3:] - np.cross(radius * OFFSET, wrenches[:, :3])])
+
+
+def _with_moments_reversed(wrenches: np.ndarray, _: float) -> np.ndarray:
+    return wrenches * np.repeat([1.0, -1.0], 3)
+
+
+SABOTAGES = (
+    Sabotage(name="none"),
+    Sabotage(name="4-sided inscribed pyramid", predict=_by(SquareForces)),
+    Sabotage(name="8-sided inscribed pyramid", predict=_by(OctagonForces)),
+    Sabotage(name="moment reference off by 0.05 R0", believed=_about_a_wrong_point),
+    Sabotage(name="wrench 3 % larger in truth", believed=lambda wrenches, _: wrenches / 1.03),
+    Sabotage(name="friction 5 % lower in truth", friction_factor=0.95),
+    Sabotage(name="moment sign wrong", believed=_with_moments_reversed, misleads=True),
+)
+"""The table of ways to be wrong, the honest planner first."""
+
+
+def measure_sabotage(
+    grasp: FeasibleGrasp, sabotage: Sabotage, protocol: ValidationProtocol = ACTIVE
+) -> CriticalForce | None:
+    """What MuJoCo measures against the sabotaged prediction.
+
+    Args:
+        grasp: A feasible grasp.
+        sabotage: What is wrong.
+        protocol: Settings.
+
+    Returns:
+        Measured caps beside the wrong prediction; None where the wrong planner finds no grasp at all.
+
+    Raises:
+        SimulationError: When the experiment cannot be run.
+    """
+    contacts, point, wrenches = grasp.contacts, grasp.task.reference_point, grasp.task.wrenches
+    radius = float(np.linalg.norm(contacts.points - point, axis=1).max())
+    phi = sabotage.predict(contacts, point, sabotage.believed(wrenches, radius))
+    if not np.isfinite(phi).all():
+        return None
+    experiment = grasp.experiment(protocol)
+    if sabotage.misleads:
+        experiment = MisledExperiment(**vars(experiment), believed=lambda true: sabotage.believed(true, radius))
+    return bisect_caps(experiment.with_friction(sabotage.friction_factor * contacts.friction), wrenches, phi)

@@ -1,0 +1,181 @@
+"""Many grasps, measured: is the instrument ever wrong?
+
+Random grasps, not optimised ones, because a search prefers grasps that are well conditioned. Every wrench of every
+grasp is a test of its own, with the cap at given multiples of its own predicted phi: above one it must be held,
+below one it must slip.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.candidates.choice import make_candidates
+from planner.contacts import Contacts
+from planner.errors import SimulationError
+from planner.grasp_problem import GraspProblem
+from planner.objects.rigid_object import RigidObject
+from planner.planning import plan
+from planner.search.certified import CertifiedSearch
+from planner.task import Task, make_task
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.prediction import predicted_caps
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+
+CANDIDATES = "60"
+"""Random grasps choose among so many evenly spread contacts."""
+GAP, TIME_LIMIT = 0.05, 10.0
+"""The planner's gap and its seconds per grasp [s]: a good grasp is wanted, not a proof."""
+FINGERS = (3, 4, 5)
+FRICTION = (0.3, 1.0)
+"""Range of the friction coefficient of a random grasp."""
+MOST_DRAWS = 2_000
+"""Bound on the draws for one feasible grasp; a few dozen are usual."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FeasibleGrasp:
+    """Contacts that can balance every wrench of a task."""
+
+    rigid_object: RigidObject
+    task: Task
+    contacts: Contacts
+
+    phi: np.ndarray
+    """Predicted cap of every wrench, shape (wrenches,) [N]; finite."""
+
+    @property
+    def rho(self) -> float:
+        """Predicted force cap [N]."""
+        return float(self.phi.max())
+
+    @property
+    def critical_wrench(self) -> int:
+        """The wrench that needs rho."""
+        return int(self.phi.argmax())
+
+    def experiment(self, protocol: ValidationProtocol) -> Experiment:
+        """The grasp set up with its planned friction."""
+        contacts = self.contacts
+        point = self.task.reference_point
+        return set_up(self.rigid_object, contacts, point, self.rho, contacts.friction, protocol)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tally:
+    """Outcomes of all single-wrench tests at one multiple of phi."""
+
+    factor: float
+    tests: int
+    wrong: int
+    """Slips above phi (false fails) or holds below it (false passes)."""
+
+    worst_slip: float
+    """Over R0: the largest slip above phi, the smallest below it; between them lies the threshold."""
+
+
+def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity") -> list[FeasibleGrasp]:
+    """Random feasible grasps that pass the static check, objects and numbers of fingers in turn.
+
+    Args:
+        objects: What is grasped.
+        count: How many grasps.
+        seed: Of all that is random.
+        task: Name of a preset or a TOML file.
+
+    Raises:
+        SimulationError: When an object has no feasible grasp among MOST_DRAWS.
+    """
+    rng = np.random.default_rng(seed)
+    tasks = [make_task(task, each) for each in objects]
+    candidates = [make_candidates(each, CANDIDATES, 0.5, seed).contacts for each in objects]
+    turns = [(index % len(objects), FINGERS[index // len(objects) % len(FINGERS)]) for index in range(count)]
+    return [_drawn(objects[which], tasks[which], candidates[which], fingers, rng) for which, fingers in turns]
+
+
+def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed: int) -> FeasibleGrasp:
+    """A grasp as the planner chooses it, against gravity.
+
+    Args:
+        rigid_object: What is grasped.
+        fingers: Number of fingers.
+        friction: Coulomb coefficient.
+        seed: Of candidates and search.
+
+    Raises:
+        SimulationError: When the planner finds none.
+    """
+    task = make_task("gravity", rigid_object)
+    search = CertifiedSearch(gap=GAP, time_limit=TIME_LIMIT, seed=seed)
+    grasp = plan(
+        GraspProblem(rigid_object, task, make_candidates(rigid_object, CANDIDATES, friction, seed), fingers), search
+    )
+    if not grasp.found:
+        raise SimulationError(
+            f"no grasp of {rigid_object.file.name} with {fingers} fingers and friction {friction:g} was found "
+            f"({grasp.status}); allow more fingers or friction"
+        )
+    return FeasibleGrasp(rigid_object=rigid_object, task=task, contacts=grasp.contacts, phi=grasp.phi)
+
+
+def _drawn(
+    rigid_object: RigidObject, task: Task, candidates: Contacts, fingers: int, rng: np.random.Generator
+) -> FeasibleGrasp:
+    friction = np.full(len(candidates), rng.uniform(*FRICTION))
+    for _ in range(MOST_DRAWS):
+        chosen = rng.choice(len(candidates), size=fingers, replace=False)
+        contacts = Contacts(points=candidates.points, normals=candidates.normals, friction=friction).subset(chosen)
+        if not np.isfinite(predicted_caps(contacts, task.reference_point, task.wrenches[:1])[0]):
+            continue
+        phi = predicted_caps(contacts, task.reference_point, task.wrenches)
+        grasp = FeasibleGrasp(rigid_object=rigid_object, task=task, contacts=contacts, phi=phi)
+        if np.isfinite(phi).all() and not grasp.experiment(ACTIVE).static.reasons():
+            return grasp
+    raise SimulationError(
+        f"no feasible grasp of {rigid_object.file.name} with {fingers} fingers among {MOST_DRAWS} random ones"
+    )
+
+
+def tally(
+    grasps: Sequence[FeasibleGrasp],
+    factors: Sequence[float],
+    protocol: ValidationProtocol = ACTIVE,
+    observe: Callable[[int], None] = lambda _: None,
+) -> list[Tally]:
+    """Count wrong outcomes of single-wrench tests, one entry per factor.
+
+    Args:
+        grasps: What to test; every wrench of each.
+        factors: Caps relative to the wrench's own phi.
+        protocol: Settings and thresholds.
+        observe: Called with the number of grasps done after each.
+
+    Raises:
+        SimulationError: When an experiment cannot be run.
+    """
+    outcomes = []
+    for done, outcome in enumerate(_outcomes(grasps, factors, protocol), start=1):
+        outcomes.append(outcome)
+        observe(done)
+    held = np.hstack([each[0] for each in outcomes])
+    slips = np.hstack([each[1] for each in outcomes])
+    return [
+        Tally(
+            factor=factor,
+            tests=held.shape[1],
+            wrong=int((held[row] != (factor > 1)).sum()),
+            worst_slip=float(slips[row].max() if factor > 1 else slips[row].min()),
+        )
+        for row, factor in enumerate(factors)
+    ]
+
+
+def _outcomes(
+    grasps: Sequence[FeasibleGrasp], factors: Sequence[float], protocol: ValidationProtocol
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Held and slip of every wrench of each grasp, each of shape (factors, wrenches)."""
+    for grasp in grasps:
+        scaled = grasp.task.wrenches * (grasp.rho / grasp.phi)[:, None]
+        shape = (len(factors), len(scaled))
+        outcome = grasp.experiment(protocol).measure(np.tile(scaled, (len(factors), 1)), np.repeat(factors, shape[1]))
+        yield outcome.held.reshape(shape), outcome.slip.reshape(shape)

@@ -1,0 +1,161 @@
+"""A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from planner.contacts import Contacts
+from planner.errors import SimulationError
+from planner.objects.rigid_object import ConvexPart, RigidObject
+from sim.scene.fingertips import Fingertips
+from sim.scene.floating_object import FloatingObject
+from sim.scene.object_joints import ObjectJoints, joints_of
+from sim.scene.placement import placed_scene
+from sim.scene.scene import Scene, with_friction
+from sim.scene.static_check import StaticCheck
+from sim.scene.units import Similarity, similarity
+from sim.trial.active import adaptive_trial
+from sim.trial.measurement import Measurement, measure
+from sim.trial.protocol import ValidationProtocol
+from sim.trial.schedule import steps
+from sim.trial.trial import Trial, run
+from sim.trial.workload import each_step
+
+MOST_SIMULATIONS = 512
+"""Simulations per batch; more would not run faster."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Experiment:
+    """The compiled scene of one grasp with its units and protocol."""
+
+    contacts: Contacts
+    """The grasp in the body frame, SI, with the planned friction."""
+
+    units: Similarity
+    scene: Scene
+    protocol: ValidationProtocol
+
+    static: StaticCheck
+    """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
+
+    def measure(
+        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[float], None] = lambda _: None
+    ) -> Measurement:
+        """Run all simulations, the forces answering each wrench within its cap.
+
+        They run in batches of at most MOST_SIMULATIONS: the memory is bounded and the progress can be told.
+
+        Args:
+            wrenches: One per simulation, shape (simulations, 6) [N, N m].
+            caps: One per simulation, relative to rho, shape (simulations,).
+            observe: Called after every step with how many simulations are done; half-run ones count half.
+
+        Raises:
+            SimulationError: When MuJoCo stops or loses a simulation.
+        """
+        parts = []
+        for start in range(0, len(caps), MOST_SIMULATIONS):
+            rows = slice(start, start + MOST_SIMULATIONS)
+            trial = self.adaptive(wrenches[rows], caps[rows])
+            parts.append(self.perform(trial, _after(start, observe)))
+        return Measurement.joined(parts)
+
+    def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+        """The trial in which the forces answer each wrench within its cap; see `measure`."""
+        return adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
+
+    def perform(self, trial: Trial, observe: Callable[[float], None] = lambda _: None) -> Measurement:
+        """Run one batch.
+
+        Args:
+            trial: What is done.
+            observe: Called after every step with how many simulations are done; half-run ones count half.
+
+        Raises:
+            SimulationError: When MuJoCo stops or loses a simulation.
+        """
+        final = run(self.scene, trial, self.protocol, each_step(observe, len(trial.caps), steps(self.protocol)))
+        return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
+
+    def with_friction(self, friction: np.ndarray) -> "Experiment":
+        """The same experiment with other friction in the simulator, shape (contacts,).
+
+        Raises:
+            ContactError: When the friction is not one positive number per contact.
+        """
+        return replace(self, scene=with_friction(self.scene, friction))
+
+
+def _after(before: int, observe: Callable[[float], None]) -> Callable[[float], None]:
+    """The observer of a batch that begins when so many simulations are done."""
+    return lambda done: observe(before + done)
+
+
+def set_up(
+    rigid_object: RigidObject,
+    contacts: Contacts,
+    reference_point: np.ndarray,
+    rho: float,
+    friction: np.ndarray,
+    protocol: ValidationProtocol,
+) -> Experiment:
+    """Compose and compile the scene with the largest fingertips that touch only where planned.
+
+    Those that confirmed the candidates are among them. If even the smallest touch anything else, the static check says
+    which.
+
+    Args:
+        rigid_object: What the fingers hold.
+        contacts: The grasp, with the planned friction.
+        reference_point: p_o, shape (3,) [m].
+        rho: Predicted force cap, the experiment's newton [N].
+        friction: Friction in the simulator, shape (contacts,).
+        protocol: Settings.
+
+    Raises:
+        SimulationError: When the experiment cannot be built.
+        ContactError: When the friction is not one positive number per contact.
+    """
+    units = similarity(contacts, reference_point, rho, protocol.reach)
+    held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
+    touching = units.contacts(replace(contacts, friction=friction))
+    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
+    radii = [radius * protocol.reach for radius in protocol.tip_radii]
+    scene, static = placed_scene(held, tips, protocol, radii, rigid_object.size)
+    return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
+
+
+def floating_object(
+    parts: Sequence[ConvexPart], units: Similarity, protocol: ValidationProtocol, joints: ObjectJoints
+) -> FloatingObject:
+    """The object with its centre of mass at the reference point, where MuJoCo then applies the wrenches.
+
+    Args:
+        parts: Its collision geoms, in the body frame, SI.
+        units: Map to the units of the experiment.
+        protocol: Settings.
+        joints: How it may move.
+    """
+    return FloatingObject(
+        parts=parts,
+        units=units,
+        mass=protocol.object_mass,
+        center_of_mass=np.zeros(3),
+        inertia=protocol.object_mass * protocol.reach**2 * np.eye(3),
+        joints=joints,
+        drag=protocol.object_damping,
+    )
+
+
+def check_wrenches(wrenches: np.ndarray, phi: np.ndarray) -> None:
+    """Refuse wrenches and predictions that do not belong together.
+
+    Raises:
+        SimulationError: When shapes differ from (l, 6) and (l,), or a wrench is not finite.
+    """
+    if wrenches.ndim != 2 or wrenches.shape[1] != 6 or not len(wrenches) or not np.isfinite(wrenches).all():
+        raise SimulationError(f"wrenches have shape {wrenches.shape}; a simulation needs finite ones, (1 or more, 6)")
+    if phi.shape != (len(wrenches),):
+        raise SimulationError(f"phi has shape {phi.shape}; expected one value for each of {len(wrenches)} wrenches")

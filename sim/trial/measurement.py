@@ -1,0 +1,115 @@
+"""What the experiment shows: slip, motion, lost contacts and forces of every simulation."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from planner.contact_models.friction_cone import components, utilisation
+from sim.scene.scene import Scene
+from sim.trial.final_state import FinalState
+from sim.trial.protocol import ValidationProtocol
+from sim.trial.trial import Trial
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Measurement:
+    """Outcome per simulation. Lengths are relative to R0, the reach of the grasp; forces are the user's."""
+
+    caps: np.ndarray
+    """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
+
+    slips: np.ndarray
+    """Sliding of each fingertip along the object's surface over R0, shape (simulations, contacts)."""
+
+    separations: np.ndarray
+    """Distance of each fingertip from where it touched, along the outward normal, over R0, same shape."""
+
+    translations: np.ndarray
+    """Displacement of the object at the reference point over R0, shape (simulations,)."""
+
+    rotations: np.ndarray
+    """Rotation of the object, shape (simulations,) [rad]."""
+
+    predicted_forces: np.ndarray
+    """Norms of the commanded contact forces, shape (simulations, contacts) [N]."""
+
+    measured_forces: np.ndarray
+    """Norms of the contact forces MuJoCo reports, shape (simulations, contacts) [N]."""
+
+    predicted_utilisations: np.ndarray
+    """|f_t| / f_n of the commanded contact forces, shape (simulations, contacts); zero where not loaded."""
+
+    measured_utilisations: np.ndarray
+    """|f_t| / f_n of the contact forces MuJoCo reports, same shape; zero where not loaded."""
+
+    loaded: np.ndarray
+    """Fingers that carry enough to be judged, shape (simulations, contacts)."""
+
+    lost: np.ndarray
+    """Loaded fingers that touch nothing, shape (simulations, contacts)."""
+
+    held: np.ndarray
+    """Whether each simulation held its wrench, shape (simulations,)."""
+
+    @property
+    def slip(self) -> np.ndarray:
+        """Largest slip of a loaded finger over R0, shape (simulations,); zero where none is loaded."""
+        return np.where(self.loaded, self.slips, 0.0).max(axis=1)
+
+    def rows(self, selection: slice) -> "Measurement":
+        """The selected simulations."""
+        return Measurement(**{name: values[selection] for name, values in vars(self).items()})
+
+    @classmethod
+    def joined(cls, parts: Sequence["Measurement"]) -> "Measurement":
+        """The simulations of all parts, in order; one part or more."""
+        return cls(**{name: np.concatenate([vars(part)[name] for part in parts]) for name in vars(parts[0])})
+
+
+def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protocol: ValidationProtocol) -> Measurement:
+    """Judge every simulation by its final state.
+
+    A fingertip does not turn, so the point of it that first touched the object moves, in the object's frame, by
+    R^T (p + q - x) - p, with p the contact, q the displacement of the tip and (R, x) the object's pose. Its
+    part in the tangent plane is the slip.
+
+    Args:
+        scene: The scene that was run.
+        trial: What was done.
+        final: How it ended.
+        force: Newtons per newton of the experiment.
+        protocol: Thresholds.
+    """
+    points, normals = scene.contacts.points, scene.contacts.normals
+    from_object = points + final.tip_displacements - final.object_positions[:, None]
+    moved = _unrotated(final.object_quaternions, from_object) - points
+    inward, sliding = components(moved, normals)
+    slips = sliding / protocol.reach
+    translations, rotations = final.translations / protocol.reach, final.rotations
+    predicted = np.linalg.norm(trial.forces, axis=2)
+    loaded = predicted > protocol.loaded * trial.caps[:, None] * scene.contacts.strengths
+    lost = loaded & ~final.touching
+    still = (translations < protocol.motion_tolerance) & (rotations < protocol.motion_tolerance)
+    gripped = ~(loaded & (slips >= protocol.slip_tolerance)).any(axis=1) & ~lost.any(axis=1)
+    return Measurement(
+        caps=trial.caps * force,
+        slips=slips,
+        separations=-inward / protocol.reach,
+        translations=translations,
+        rotations=rotations,
+        predicted_forces=predicted * force,
+        measured_forces=np.linalg.norm(final.contact_forces, axis=2) * force,
+        predicted_utilisations=np.where(loaded, utilisation(trial.forces, normals), 0.0),
+        measured_utilisations=np.where(loaded, utilisation(final.contact_forces, np.eye(3)[0]), 0.0),
+        loaded=loaded,
+        lost=lost,
+        held=still & gripped,
+    )
+
+
+def _unrotated(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """R^T v for unit quaternions, shape (n, 4), and vectors, shape (n, m, 3)."""
+    scalar, axis = quaternions[:, None, :1], -quaternions[:, None, 1:]
+    turned = np.cross(axis, vectors)
+    return vectors + 2 * (scalar * turned + np.cross(axis, turned))

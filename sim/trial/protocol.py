@@ -1,0 +1,116 @@
+"""The measuring protocol: every constant of the experiment and every threshold of its verdict.
+
+The experiment is non-dimensional (sim/scene/units.py): the farthest contact lies `reach` from the reference
+point and the predicted rho is one newton. How MuJoCo computes is in sim/scene/physics.py, the fingers in
+sim/trial/force_law.py.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from planner.objects.mjcf.touch import CLEARANCE, ON_SURFACE
+from sim.scene.physics import Physics
+from sim.trial.final_state import FinalState
+from sim.trial.force_law import FingerLaw
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidationProtocol(Physics, FingerLaw):
+    """Settings of the scene, the schedule and the verdict, beside those of contacts, solver and fingers."""
+
+    name: str
+    """Name and version: one name, one set of values."""
+
+    # The non-dimensional scene
+    reach: float = 0.05
+    """Distance of the farthest contact from the reference point [m]."""
+
+    object_mass: float = 0.1
+    """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
+
+    object_damping: float = 1.0
+    """Drag on the object's motion [N s/m], times reach^2 on its rotation: none at rest, so statics do not feel it.
+
+    An object on capped fingertips below it is a pendulum upside down; without drag it tips, without any slip, by up
+    to 2e-3 within the hold, with it by 1e-4. From 10 on slow slips are held back.
+    """
+
+    # Fingers
+    preload: float = 0.5
+    """Press of every finger along its normal before the load, and the largest internal force without one, relative
+    to the cap."""
+
+    # Schedule
+    preload_time: float = 0.05
+    """Seconds in which the preload grows [s]; applied at once it makes grasps slip that hold."""
+
+    ramp_time: float = 0.15
+    """Seconds in which wrench and forces grow to their full values [s]."""
+
+    hold_time: float = 0.35
+    """Seconds under the full wrench [s]."""
+
+    # Geometry
+    touch_tolerance: float = ON_SURFACE
+    """Largest gap or overlap of a fingertip and the object before the test, relative to the object's size."""
+
+    clearance: float = CLEARANCE
+    """Least distance of a fingertip from any other surface of the object, relative to the object's size."""
+
+    # Verdict
+    loaded: float = 0.01
+    """A finger is judged when its force exceeds this part of the cap."""
+
+    slip_tolerance: float = 2e-4
+    """Largest slip of a held fingertip, relative to the reach: seen 1e-5 above the cap, 4e-4 at 0.995 of it."""
+
+    motion_tolerance: float = 1e-3
+    """Largest motion of a held object: translation relative to the reach, rotation in radians."""
+
+    gone: float = 3.0
+    """An object that moved so many motion tolerances is lost, and its simulation ends."""
+
+    hold_factor: float = 1.02
+    """Every wrench must be held with the cap at this multiple of rho."""
+
+    control_factor: float = 0.98
+    """The critical wrench must slip with the cap at this multiple of rho."""
+
+    # Controls: what must happen if the experiment is to be believed
+    friction_factor: float = 0.9
+    """With the planned friction multiplied by this, as often as it takes until theory says that some wrench is lost,
+    exactly the predicted wrenches must slip."""
+
+    least_friction: float = 0.05
+    """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp,
+    and every wrench must be held with the first part."""
+
+    friction_margin: float = 0.98
+    """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit."""
+
+    ambiguity: float = 0.01
+    """Wrenches whose predicted cap is within this part of the simulated one are too near to call."""
+
+    displacement: float = 0.02
+    """One contact is moved by this part of the object's size and rho predicted anew."""
+
+    creep_tolerance: float = 2e-5
+    """Largest slip of fingers that only squeeze, relative to the reach: a tenth of what a slip is."""
+
+    def lost(self, state: FinalState) -> np.ndarray:
+        """Which objects moved too far to come back, shape (simulations,)."""
+        far = self.gone * self.motion_tolerance
+        return (state.translations > far * self.reach) | (state.rotations > far)
+
+    @property
+    def duration(self) -> float:
+        """Length of one trial [s]."""
+        return self.preload_time + self.ramp_time + self.hold_time
+
+
+ACTIVE = ValidationProtocol(name="rhograsp.active/2")
+"""Finger forces adapt to each wrench, which is what rho means."""
+
+STRICT = replace(ACTIVE, name="rhograsp.active-strict/2", hold_factor=1.005, control_factor=0.995)
+"""The same with a four times narrower band around rho."""

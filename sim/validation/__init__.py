@@ -1,0 +1,1 @@
+"""Is rho true? The verdict with its evidence: control experiments, measured caps, loads beyond the vertices."""

@@ -1,0 +1,337 @@
+"""The validation file: the verdict with its evidence and every setting, as one versioned JSON document."""
+
+from math import isfinite
+from pathlib import Path
+
+import msgspec
+
+from planner.files.atomic_write import write_atomically
+from sim.trial.measurement import Measurement
+from sim.trial.protocol import ValidationProtocol
+from sim.validation.beyond import Beyond
+from sim.validation.control_experiment import Control
+from sim.validation.critical_force import CriticalForce
+from sim.validation.force_agreement import ForceAgreement
+from sim.validation.validation import Validation
+from sim.validation.verdict import Verdict
+
+FORMAT, FORMAT_VERSION = "rhograsp.validation", 1
+
+
+class FingerRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """One finger in one simulation."""
+
+    slip: float
+    """Sliding over R0."""
+    separation: float
+    """Distance from where it touched, outward, over R0."""
+    predicted_force: float
+    """Norm of the commanded contact force [N]."""
+    measured_force: float
+    """Norm of the contact force in MuJoCo [N]."""
+    predicted_utilisation: float
+    """|f_t| / f_n of the commanded contact force."""
+    measured_utilisation: float
+    """|f_t| / f_n of the contact force in MuJoCo."""
+    loaded: bool
+    """Whether it carries enough to be judged."""
+    lost: bool
+    """Whether it is loaded and touches nothing."""
+
+
+class SimulationRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """One wrench at one cap."""
+
+    wrench: int
+    """Index among the vertices of the required external force set."""
+    phi: float
+    """Predicted least cap for this wrench [N]."""
+    cap: float
+    """Simulated cap [N]."""
+    held: bool
+    slip: float
+    """Largest slip of a loaded finger over R0."""
+    translation: float
+    """Displacement of the object over R0."""
+    rotation: float
+    """Rotation of the object [rad]."""
+    fingers: tuple[FingerRecord, ...]
+
+
+class OutcomeRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """One simulation of a control."""
+
+    wrench: int | None
+    """Index among the vertices; null for no load."""
+    phi: float | None
+    """Predicted least cap under the control's change [N]; null if no cap suffices."""
+    cap: float
+    """Simulated cap [N]."""
+    slip: float
+    """Largest slip of a loaded finger over R0."""
+    held: bool
+    expected: bool
+    """Whether theory says it is held."""
+    counted: bool
+    """Whether the prediction is far enough from the cap to be called."""
+
+
+class ControlRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """What must happen if the experiment is to be believed."""
+
+    name: str
+    change: str
+    """What was changed."""
+    behaved: bool
+    """Whether all that counts turned out as predicted."""
+    outcomes: tuple[OutcomeRecord, ...]
+    """Empty if the control is not possible on this grasp."""
+
+
+class CapRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """The measured least cap of one wrench."""
+
+    wrench: int
+    phi: float
+    """Predicted [N]."""
+    lower: float
+    """Largest cap that was seen to slip [N]; zero if even the lowest tried held."""
+    upper: float | None
+    """Least cap that was seen to hold [N]; null if even the highest tried slipped."""
+    ratio: float | None
+    """Middle of the bracket over phi."""
+
+
+class CriticalForceRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """rho as measured."""
+
+    lower: float
+    """Largest cap with which some wrench was seen to slip [N]."""
+    upper: float | None
+    """Least cap with which every wrench was seen to hold [N]."""
+    ratio: float | None
+    """Middle of the bracket over the predicted rho."""
+    critical_wrench: int
+    """The wrench with the largest measured cap."""
+    wrenches: tuple[CapRecord, ...]
+
+
+class LoadsRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """Loads of one kind other than the vertices."""
+
+    kind: str
+    loads: int
+    held: int
+    must_hold: bool
+    """Else all must slip."""
+    slips: tuple[float, ...]
+    """Largest slip of a loaded finger over R0, per load."""
+
+
+class ObjectRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """The object that was held."""
+
+    sha256: str
+    """Digest of its files."""
+    body: str
+    """The body whose frame is B."""
+
+
+class StaticRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """Where the fingertips were before anything moved."""
+
+    distances: tuple[float, ...]
+    """Signed distance of each fingertip to the object [m]."""
+    touches: tuple[int, ...]
+    """Number of the object's geoms each fingertip touches."""
+    tip_radius: float
+    """Radius of the fingertips [m]."""
+    tolerance: float
+    """Largest |distance| of a fingertip that touches [m]."""
+
+
+class ValidationDocument(msgspec.Struct, frozen=True, kw_only=True):
+    """The whole document."""
+
+    format: str
+    format_version: int
+    grasp: str | None
+    """Name of the grasp file; null if the grasp came from memory."""
+    object: ObjectRecord
+    verdict: Verdict
+    """pass, fail, or not trustworthy: a control did not behave."""
+    reasons: tuple[str, ...]
+    """Why not pass; empty when it is."""
+    rho: float
+    """Predicted force cap [N]."""
+    critical_wrench: int
+    """Index of the wrench that decides rho."""
+    strengths: tuple[float, ...] = ()
+    """Of the fingers: the cap of each is its strength times the stated one. Empty: all 1, in files of old."""
+    planned_friction: tuple[float, ...]
+    simulated_friction: tuple[float, ...]
+    static: StaticRecord
+    vertices: tuple[SimulationRecord, ...]
+    """Every wrench with the cap above rho; empty if the static check failed."""
+    forces: ForceAgreement | None
+    """Predicted against measured forces of all vertices; null if the static check failed."""
+    controls: tuple[ControlRecord, ...]
+    """Empty if the static check failed."""
+    critical_force: CriticalForceRecord | None
+    """Measured caps; null if not asked for."""
+    beyond: tuple[LoadsRecord, ...]
+    """Loads other than the vertices; empty if not asked for."""
+    protocol: ValidationProtocol
+    """Name, settings and thresholds."""
+    versions: dict[str, str]
+    """Versions of the packages that can change the outcome."""
+
+
+def to_document(validation: Validation, *, grasp: str | None = None) -> ValidationDocument:
+    """The validation as plain values; `grasp` names the grasp file."""
+    vertices, static = validation.vertices, validation.static
+    return ValidationDocument(
+        format=FORMAT,
+        format_version=FORMAT_VERSION,
+        grasp=grasp,
+        object=ObjectRecord(sha256=validation.rigid_object.sha256, body=validation.rigid_object.body),
+        verdict=validation.verdict,
+        reasons=validation.reasons,
+        rho=validation.rho,
+        critical_wrench=validation.critical_wrench,
+        strengths=tuple(validation.strengths.tolist()),
+        planned_friction=tuple(validation.planned_friction.tolist()),
+        simulated_friction=tuple(validation.simulated_friction.tolist()),
+        static=StaticRecord(
+            distances=tuple(static.distances.tolist()),
+            touches=tuple(static.touches.tolist()),
+            tip_radius=static.tip_radius,
+            tolerance=static.tolerance,
+        ),
+        vertices=_records(vertices, validation) if vertices else (),
+        forces=validation.forces,
+        controls=tuple(_control(control) for control in validation.controls),
+        critical_force=_critical_force(validation.critical_force) if validation.critical_force else None,
+        beyond=_loads(validation.beyond) if validation.beyond else (),
+        protocol=validation.protocol,
+        versions=validation.versions,
+    )
+
+
+def write_validation(path: Path, validation: Validation, *, grasp: str | None = None) -> None:
+    """Write the document: a reader sees the old file or the whole new one.
+
+    Args:
+        path: By convention ends in `.validation.json`.
+        validation: What to write.
+        grasp: Name of the grasp file that was validated.
+
+    Raises:
+        OutputError: When `path` cannot be written.
+    """
+    document = msgspec.json.encode(to_document(validation, grasp=grasp))
+    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")
+
+
+def _control(control: Control) -> ControlRecord:
+    columns = (
+        control.wrenches,
+        control.phi,
+        control.caps,
+        control.slips,
+        control.held,
+        control.expected,
+        control.counted,
+    )
+    return ControlRecord(
+        name=control.name,
+        change=control.change,
+        behaved=control.behaved,
+        outcomes=tuple(
+            OutcomeRecord(
+                wrench=wrench if wrench >= 0 else None,
+                phi=_finite(phi),
+                cap=cap,
+                slip=slip,
+                held=held,
+                expected=expected,
+                counted=counted,
+            )
+            for wrench, phi, cap, slip, held, expected, counted in zip(*(c.tolist() for c in columns), strict=True)
+        ),
+    )
+
+
+def _critical_force(critical: CriticalForce) -> CriticalForceRecord:
+    columns = (critical.phi, critical.lower, critical.upper, critical.ratios)
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    lower, upper = critical.rho
+    return CriticalForceRecord(
+        lower=lower,
+        upper=_finite(upper),
+        ratio=_finite(critical.ratio),
+        critical_wrench=critical.critical_wrench,
+        wrenches=tuple(
+            CapRecord(wrench=wrench, phi=phi, lower=low, upper=_finite(high), ratio=_finite(ratio))
+            for wrench, (phi, low, high, ratio) in enumerate(rows)
+        ),
+    )
+
+
+def _loads(beyond: Beyond) -> tuple[LoadsRecord, ...]:
+    return tuple(
+        LoadsRecord(
+            kind=kind,
+            loads=len(outcome.held),
+            held=int(outcome.held.sum()),
+            must_hold=must_hold,
+            slips=tuple(outcome.slip.tolist()),
+        )
+        for kind, outcome, must_hold in beyond.kinds()
+    )
+
+
+def _finite(value: float) -> float | None:
+    """The value, or null where JSON has no number for it."""
+    return value if isfinite(value) else None
+
+
+def _records(measurement: Measurement, validation: Validation) -> tuple[SimulationRecord, ...]:
+    columns = zip(
+        validation.phi.tolist(),
+        measurement.caps.tolist(),
+        measurement.held.tolist(),
+        measurement.slip.tolist(),
+        measurement.translations.tolist(),
+        measurement.rotations.tolist(),
+        strict=True,
+    )
+    return tuple(
+        SimulationRecord(
+            wrench=wrench,
+            phi=phi,
+            cap=cap,
+            held=held,
+            slip=slip,
+            translation=translation,
+            rotation=rotation,
+            fingers=_fingers(measurement, wrench),
+        )
+        for wrench, (phi, cap, held, slip, translation, rotation) in enumerate(columns)
+    )
+
+
+def _fingers(measurement: Measurement, row: int) -> tuple[FingerRecord, ...]:
+    names = FingerRecord.__struct_fields__
+    arrays = (
+        measurement.slips,
+        measurement.separations,
+        measurement.predicted_forces,
+        measurement.measured_forces,
+        measurement.predicted_utilisations,
+        measurement.measured_utilisations,
+        measurement.loaded,
+        measurement.lost,
+    )
+    columns = zip(*(array[row].tolist() for array in arrays), strict=True)
+    return tuple(FingerRecord(**dict(zip(names, values, strict=True))) for values in columns)

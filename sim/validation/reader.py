@@ -1,0 +1,47 @@
+"""Read a validation file, and know whether it is about a given grasp."""
+
+from pathlib import Path
+
+from planner.errors import GraspFileError
+from planner.files.bounded_read import read_bounded
+from planner.files.json_document import MOST_BYTES, Header, decode_json
+from planner.grasps.grasp import Grasp
+from sim.validation.document import FORMAT, FORMAT_VERSION, ValidationDocument
+
+NAME = "validation file"
+
+AGREEMENT = 1e-9
+"""Relative difference of two values of rho that are the same."""
+
+
+def read_validation(path: Path) -> ValidationDocument:
+    """Read a validation file.
+
+    Raises:
+        GraspFileError: When it is missing, truncated, too large, of another format or another version.
+    """
+    content = read_bounded(path, MOST_BYTES, NAME, GraspFileError)
+    header = decode_json(content, Header, path, NAME)
+    if (header.format, header.format_version) != (FORMAT, FORMAT_VERSION):
+        raise GraspFileError(
+            f"{path} has format {header.format!r} version {header.format_version}; expected {FORMAT!r} version "
+            f"{FORMAT_VERSION}; validate the grasp again"
+        )
+    return decode_json(content, ValidationDocument, path, NAME)
+
+
+def read_validation_of(path: Path, grasp: Grasp) -> ValidationDocument:
+    """Read the validation file of one grasp.
+
+    Raises:
+        GraspFileError: When it cannot be read, or is about another object or grasp.
+    """
+    document = read_validation(path)
+    same_object = (document.object.sha256, document.object.body) == (grasp.sha256, grasp.body)
+    same_rho = abs(document.rho - grasp.rho) <= AGREEMENT * grasp.rho
+    if not same_object or not same_rho or len(document.vertices) not in (0, len(grasp.phi)):
+        raise GraspFileError(
+            f"{path} is about another grasp (body {document.object.body!r}, rho {document.rho:.6g} N; here "
+            f"{grasp.body!r}, {grasp.rho:.6g} N): validate this one, or name its own file with --validation"
+        )
+    return document

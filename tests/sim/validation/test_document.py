@@ -1,0 +1,57 @@
+"""The validation file carries the whole outcome and is written completely or not at all."""
+
+from dataclasses import asdict
+from functools import cache
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from planner.errors import OutputError
+from sim.trial.protocol import ACTIVE
+from sim.validation.document import FORMAT, ValidationDocument, to_document, write_validation
+from sim.validation.validation import Validation
+from sim.validation.verdict import Verdict
+from tests.strategies.planned_grasps import prism
+
+
+@cache
+def refuted() -> Validation:
+    """A validation with something to say."""
+    return prism().validated(rho_error=0.97)
+
+
+def test_what_is_written_is_read_back_equal(tmp_path: Path) -> None:
+    path = tmp_path / "prism.validation.json"
+    write_validation(path, refuted(), grasp="prism.grasp.json")
+    document = msgspec.json.decode(path.read_bytes(), type=ValidationDocument)
+    assert document == to_document(refuted(), grasp="prism.grasp.json")
+    assert (document.format, document.format_version) == (FORMAT, 1)
+    assert document.verdict is Verdict.FAIL and document.reasons
+    assert len(document.vertices) == 64
+    assert [control.name for control in document.controls] == ["cap", "creep", "friction", "displaced contact"]
+    assert document.critical_force is None and document.beyond == ()
+    assert [path] == list(tmp_path.iterdir())
+
+
+def test_every_setting_of_the_protocol_is_recorded(tmp_path: Path) -> None:
+    path = tmp_path / "prism.validation.json"
+    write_validation(path, refuted())
+    recorded = msgspec.json.decode(path.read_bytes())["protocol"]
+    expected = msgspec.json.decode(msgspec.json.encode(asdict(ACTIVE)))
+    assert recorded == expected
+
+
+def test_vertices_tell_which_finger_slipped_at_which_force() -> None:
+    validation = refuted()
+    assert validation.vertices is not None
+    document = to_document(validation)
+    failed = next(record for record in document.vertices if not record.held)
+    assert failed.slip == max(finger.slip for finger in failed.fingers if finger.loaded)
+    assert failed.phi == pytest.approx(validation.phi[failed.wrench])
+    assert failed.cap == pytest.approx(1.02 * 0.97 * validation.phi.max())
+
+
+def test_a_folder_that_is_not_there_is_reported(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="cannot write"):
+        write_validation(tmp_path / "missing" / "prism.json", refuted())

@@ -1,0 +1,107 @@
+"""Planned grasps for the tests: an object, contacts, wrenches and what the theory predicts for them."""
+
+from dataclasses import dataclass, replace
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+
+from planner.contacts import Contacts
+from planner.forces.minimax import MinimaxForces
+from planner.forces.problem import ForceProblem
+from planner.objects.object_source import ObjectSource
+from planner.objects.parts.box import Box
+from planner.objects.parts.polyhedron import Polyhedron
+from planner.objects.pose import Pose
+from planner.objects.rigid_object import ConvexPart, RigidObject
+from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.validation.validation import Validation, validate_contacts
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Planned:
+    """A grasp and its required wrenches, body frame, SI."""
+
+    parts: tuple[ConvexPart, ...]
+    contacts: Contacts
+    reference_point: np.ndarray
+    wrenches: np.ndarray
+
+    @property
+    def phi(self) -> np.ndarray:
+        """Predicted cap of each wrench [N]."""
+        solver = MinimaxForces(len(self.contacts), 3)
+        return np.array(
+            [
+                solver.solve(
+                    ForceProblem(contacts=self.contacts, reference_point=self.reference_point, wrench=wrench)
+                ).phi
+                for wrench in self.wrenches
+            ]
+        )
+
+    def validated(
+        self, *, rho_error: float = 1.0, friction_error: float = 1.0, protocol: ValidationProtocol = ACTIVE
+    ) -> Validation:
+        """Validation with rho and the simulated friction multiplied by their errors."""
+        phi = self.phi
+        return validate_contacts(
+            rigid_object(*self.parts),
+            self.contacts,
+            self.reference_point,
+            self.wrenches,
+            rho=rho_error * float(phi.max()),
+            critical_wrench=int(phi.argmax()),
+            phi=phi,
+            protocol=protocol,
+            simulated_friction=friction_error * self.contacts.friction,
+        )
+
+
+def rigid_object(*parts: ConvexPart) -> RigidObject:
+    """An object of these parts; its mass plays no role in a validation."""
+    corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in parts])
+    return RigidObject(
+        source=ObjectSource(file=Path("object.xml")),
+        sha256="0" * 64,
+        body="object",
+        parts=parts,
+        mass=1.0,
+        center_of_mass=np.zeros(3),
+        inertia=np.eye(3),
+        extent=np.ptp(corners, axis=0),
+    )
+
+
+def prism(scale: float = 1.0, rotation: np.ndarray | None = None, offset: np.ndarray | None = None) -> Planned:
+    """The paper's Case III with its optimal grasp, rho = 0.669 N: legs of 4 cm, height 2 cm, times `scale`.
+
+    Forces grow with the square of the scale. The body frame may be turned and moved.
+    """
+    turn = np.eye(3) if rotation is None else rotation
+    origin = np.zeros(3) if offset is None else offset
+    corners = np.array([(-4 / 3, -4 / 3), (8 / 3, -4 / 3), (-4 / 3, 8 / 3)])
+    vertices = np.array([(x, y, z) for x, y in corners for z in (-1, 1)])
+    points = np.array([(2 / 9, -4 / 3, 0), (2 / 3, 2 / 3, 0), (-4 / 3, 2 / 9, 0)])
+    normals = np.array([(0, 1, 0), (-np.sqrt(0.5), -np.sqrt(0.5), 0), (1, 0, 0)])
+    length, force = 0.01 * scale, 0.16 * scale**2
+    half_sides = force * np.repeat([1.0, 0.8 * 2 * np.sqrt(2) / 3 * length], 3)
+    box = np.array(list(product((-1, 1), repeat=6))) * half_sides
+    return Planned(
+        parts=(Polyhedron.hull(length * vertices @ turn.T + origin, geom="prism", friction=0.3),),
+        contacts=Contacts(points=length * points @ turn.T + origin, normals=normals @ turn.T, friction=np.full(3, 0.3)),
+        reference_point=origin,
+        wrenches=np.hstack([box[:, :3] @ turn.T, box[:, 3:] @ turn.T]),
+    )
+
+
+def with_friction(planned: Planned, friction: tuple[float, ...]) -> Planned:
+    """The same grasp with its own coefficient at every contact."""
+    contacts = replace(planned.contacts, friction=np.array(friction))
+    return replace(planned, contacts=contacts)
+
+
+def box(half_lengths: tuple[float, float, float], position: tuple[float, float, float] = (0, 0, 0)) -> Box:
+    """A box geom along the axes of the body."""
+    pose = replace(Pose.identity(), position=np.array(position, dtype=float))
+    return Box.placed(pose, np.array(half_lengths), geom="box", friction=0.5)

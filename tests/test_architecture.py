@@ -1,0 +1,140 @@
+"""The house keeps its shape: arrows point down, every room has a caption, no function asks for too much."""
+
+import ast
+import inspect
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.tools.commands import ROOT
+
+FLOORS = (
+    ("planner.errors", "planner.arrays"),
+    ("planner.files",),
+    ("planner.contacts",),
+    ("planner.contact_models",),
+    ("planner.wrench_sets",),
+    ("planner.objects",),
+    ("planner.task",),
+    ("planner.forces",),
+    ("planner.candidates",),
+    ("planner.search",),
+    ("planner.limits",),
+    ("planner.grasps",),
+    ("planner.grasp_problem",),
+    ("planner.planning",),
+    ("planner.verification",),
+    ("planner.exchange",),
+    ("planner.pictures",),
+    ("planner.terminal",),
+    ("planner.commands",),
+    ("sim.scene",),
+    ("sim.trial",),
+    ("sim.validation",),
+    ("sim.squeeze", "sim.benches"),
+    ("sim.studies",),
+    ("sim.report", "sim.render"),
+    ("sim.view",),
+    ("sim.commands",),
+)
+"""The house from the ground up: a room may use those on floors below it, and its own; rooms side by side do not meet."""
+
+MOST_PARAMETERS = 6
+"""What a function may ask for, `self` aside."""
+
+FILES = sorted(path for package in ("planner", "sim") for path in (ROOT / package).rglob("*.py"))
+NAMES = [path.relative_to(ROOT).as_posix() for path in FILES]
+
+
+def floor_of(module: str) -> int | None:
+    """The floor of a module; None for the two front doors."""
+    homes = [
+        (len(room), floor)
+        for floor, rooms in enumerate(FLOORS)
+        for room in rooms
+        if f"{module}.".startswith(f"{room}.")
+    ]
+    return max(homes)[1] if homes else None
+
+
+def module_of(path: Path) -> str:
+    """Its dotted name."""
+    return ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+
+
+def imports(tree: ast.AST) -> Iterator[str]:
+    """Modules of this project that a file imports, wherever in it and for whatever purpose."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module
+        elif isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+
+
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("path", FILES, ids=NAMES)
+def test_arrows_point_down(path: Path) -> None:
+    module = module_of(path)
+    floor = floor_of(module)
+    if module in ("planner", "sim"):
+        return  # the front doors open on every floor
+    assert floor is not None, f"{module} is on no floor: add its room to FLOORS"
+    for used in imports(parsed(path)):
+        if used.split(".")[0] in ("planner", "sim"):
+            below = floor_of(used)
+            assert below is not None, f"{module} imports the front door {used}"
+            assert below <= floor, f"{module} (floor {floor}) imports {used} (floor {below})"
+
+
+def test_no_two_files_import_each_other_in_a_circle() -> None:
+    graph = {module_of(path): {used for used in top_level_imports(path)} for path in FILES}
+    done: set[str] = set()
+
+    def visit(module: str, path: tuple[str, ...]) -> None:
+        assert module not in path, f"a circle: {' -> '.join((*path, module))}"
+        if module in done or module not in graph:
+            return
+        for used in sorted(graph[module]):
+            visit(used, (*path, module))
+        done.add(module)
+
+    for module in sorted(graph):
+        visit(module, ())
+
+
+def top_level_imports(path: Path) -> Iterator[str]:
+    """What a file needs to be imported itself: imports inside functions and for the type checker are left out."""
+    for node in parsed(path).body:
+        yield from imports(node) if isinstance(node, ast.Import | ast.ImportFrom) else ()
+
+
+@pytest.mark.parametrize("path", FILES, ids=NAMES)
+def test_every_file_says_what_it_is(path: Path) -> None:
+    caption = ast.get_docstring(parsed(path))
+    assert caption and caption[0].isupper() | (caption[0] == "`"), f"{path} has no caption"
+    assert len(inspect.cleandoc(caption).splitlines()[0]) <= 120
+
+
+@pytest.mark.parametrize("path", FILES, ids=NAMES)
+def test_no_function_asks_for_too_much(path: Path) -> None:
+    for node in ast.walk(parsed(path)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            arguments = node.args
+            names = [each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
+            asked = [name for name in names if name not in ("self", "cls")]
+            assert len(asked) <= MOST_PARAMETERS, f"{path}: {node.name} takes {len(asked)}: {', '.join(asked)}"
+
+
+def test_no_test_module_imports_another() -> None:
+    for path in (ROOT / "tests").rglob("test_*.py"):
+        for used in imports(parsed(path)):
+            assert not used.rpartition(".")[2].startswith("test_"), f"{path} imports {used}"
+
+
+def test_a_circle_and_an_upward_arrow_would_be_seen() -> None:
+    assert floor_of("planner.forces.minimax") < floor_of("planner.search.cuts")
+    assert list(imports(ast.parse("def f():\n    from sim.scene import scene"))) == ["sim.scene"]

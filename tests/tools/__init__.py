@@ -1,0 +1,1 @@
+"""What tests look with: commands as a user types them, terminals, browsers, slow oracles."""
