@@ -27,9 +27,9 @@ from planner.errors import TaskError
 from planner.files.source_file import SourceFile, source_file
 from planner.files.toml_file import read_toml
 from planner.objects.graspable import Graspable
+from planner.objects.plausibility import gravity_doubts
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
-from planner.plausibility import gravity_doubts
 from planner.wrench_sets.circumscribed import MAX_VERTICES
 from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Preset

@@ -8,9 +8,9 @@ import pytest
 from planner.grasps.grasp_file import read_grasp
 from planner.grasps.grasped_object import read_grasped_object
 from planner.objects.rigid_object import RigidObject
-from tests.planner.objects.test_ties import BOTTLE, KEYS, MUG
 from tests.strategies.cups import mesh_cup
 from tests.strategies.mjcf_files import world, written
+from tests.strategies.tied_bodies import BOTTLE, KEYS, MUG
 from tests.tools.commands import run, says
 from tests.tools.shared import shared
 

@@ -14,8 +14,8 @@ from planner.errors import CandidateError
 from planner.files.source_file import source_file
 from planner.objects.graspable import Graspable
 from planner.objects.planar.planar_object import PlanarObject
+from planner.objects.plausibility import friction_doubts, grid_doubts
 from planner.objects.rigid_object import RigidObject
-from planner.plausibility import friction_doubts, grid_doubts
 
 logger = logging.getLogger(__name__)
 

@@ -4,13 +4,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import msgspec
 import numpy as np
 
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
-from planner.errors import CandidateError
+from planner.errors import CandidateError, GraspFileError
 from planner.files.bounded_read import read_bounded
-from planner.grasps.grasp_file import read_grasp
+from planner.files.json_document import MOST_BYTES, decode_json
 from planner.objects.graspable import Graspable
 from planner.objects.surface.coincident import finger_parts
 from planner.objects.surface.exposure import exposed
@@ -89,18 +90,36 @@ def read_points(path: Path, dimension: int = 3) -> ListedPoints:
     return ListedPoints(points=table[:, :dimension], normals=normals if normals.size else None)
 
 
+class _Contact(msgspec.Struct, frozen=True):
+    """Of a contact in a grasp file, where it is."""
+
+    position: list[float]
+    normal: list[float]
+
+
+class _Contacts(msgspec.Struct, frozen=True):
+    """Of a grasp file, the contacts."""
+
+    contacts: list[_Contact]
+
+
 def grasp_points(path: Path, dimension: int = 3) -> ListedPoints:
-    """The contacts of a grasp file.
+    """The contacts of a grasp file, of any version.
 
     Raises:
         GraspFileError: If it cannot be read.
         CandidateError: If it holds no contacts, or those of an object in another dimension.
     """
-    contacts = read_grasp(path).contacts
-    if not len(contacts) or contacts.dimension != dimension:
-        holds = f"contacts in {contacts.dimension} dimensions" if len(contacts) else "no contacts"
+    content = read_bounded(path, MOST_BYTES, "grasp file", GraspFileError)
+    contacts = decode_json(content, _Contacts, path, "grasp file").contacts
+    sizes = {len(vector) for contact in contacts for vector in (contact.position, contact.normal)}
+    if sizes != {dimension}:
+        holds = f"contacts in {max(sizes)} dimensions" if contacts else "no contacts"
         raise CandidateError(f"'{path}' holds {holds}; expected contacts in {dimension} dimensions")
-    return ListedPoints(points=contacts.points, normals=contacts.normals)
+    return ListedPoints(
+        points=np.array([contact.position for contact in contacts]),
+        normals=np.array([contact.normal for contact in contacts]),
+    )
 
 
 def listed_candidates(

@@ -10,17 +10,17 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
-from planner.grasps.why_infeasible import reasons, remedies
 from planner.limits.kinds import Kinds
 from planner.limits.restricted import Restricted, removals
 from planner.millimetres import LEAST, in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
+from planner.objects.plausibility import candidate_doubts
 from planner.objects.rigid_object import RigidObject
-from planner.plausibility import candidate_doubts
 from planner.search.result import Status
 from planner.task import Task
 from planner.terminal.console import Console
+from planner.verification.why_infeasible import reasons, remedies
 
 logger = logging.getLogger(__name__)
 

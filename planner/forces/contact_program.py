@@ -8,6 +8,8 @@ and the wrench by its size: the solver sees the same numbers for a die and for a
 Source: Watanabe and Yoshikawa, eq. (2) and (3).
 """
 
+from dataclasses import dataclass
+
 import clarabel
 import numpy as np
 from scipy import sparse
@@ -19,6 +21,23 @@ SOLVED = (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved)
 INFEASIBLE = (clarabel.SolverStatus.PrimalInfeasible, clarabel.SolverStatus.AlmostPrimalInfeasible)
 
 
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Criterion:
+    """What is minimised: x.P x / 2 + q.x, and the rows and cones that this needs beside those of the contacts."""
+
+    quadratic: np.ndarray
+    """P, shape (variables, variables)."""
+
+    linear: np.ndarray
+    """q, shape (variables,); the first m k variables are the components."""
+
+    rows: np.ndarray
+    """Further rows of A, shape (rows, variables); their b is zero."""
+
+    cones: list[object]
+    """Clarabel's cones of these rows."""
+
+
 class ContactProgram:
     """min x.P x / 2 + q.x over balanced forces in their cones, for a fixed number of fingers."""
 
@@ -27,31 +46,24 @@ class ContactProgram:
         fingers: int,
         dimension: int,
         model: ContactModel,
-        *,
-        quadratic: np.ndarray,
-        linear: np.ndarray,
-        rows: np.ndarray,
-        cones: list[object],
+        criterion: "Criterion",
     ) -> None:
         """
         Args:
             fingers: Number of contacts m.
             dimension: d, 2 or 3.
             model: Of the contacts.
-            quadratic: P, shape (variables, variables).
-            linear: q, shape (variables,); the first m k variables are the components.
-            rows: Rows of A that the criterion adds, shape (k, variables); their b is zero.
-            cones: Clarabel's cones of these rows.
+            criterion: What is minimised.
         """
         self.fingers, self.dimension = fingers, dimension
         self._components, self._balance_rows = model.components(dimension), wrench_dimension(dimension)
-        self._data, self._balance, self._friction = self._pattern(rows)
+        self._data, self._balance, self._friction = self._pattern(criterion.rows)
         self._bounds = np.zeros(self._data.shape[0])
-        self._quadratic, self._linear = sparse.csc_matrix(np.triu(quadratic)), linear
+        self._quadratic, self._linear = sparse.csc_matrix(np.triu(criterion.quadratic)), criterion.linear
         self._cones = [
             clarabel.ZeroConeT(self._balance_rows),
             *(clarabel.SecondOrderConeT(self._components) for _ in range(fingers)),
-            *cones,
+            *criterion.cones,
         ]
         self._solver: clarabel.DefaultSolver | None = None
 

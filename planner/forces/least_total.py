@@ -14,7 +14,7 @@ import numpy as np
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contacts import Contacts
 from planner.errors import SolverError
-from planner.forces.contact_program import INFEASIBLE, SOLVED, ContactProgram
+from planner.forces.contact_program import INFEASIBLE, SOLVED, ContactProgram, Criterion
 from planner.forces.problem import ForceProblem
 
 
@@ -28,15 +28,13 @@ class LeastTotalForces:
             dimension: d, 2 or 3.
         """
         variables = fingers * dimension
-        self._program = ContactProgram(
-            fingers,
-            dimension,
-            HARD_FINGER,
+        criterion = Criterion(
             quadratic=np.eye(variables),
             linear=np.zeros(variables),
             rows=np.empty((0, variables)),
             cones=[],
         )
+        self._program = ContactProgram(fingers, dimension, HARD_FINGER, criterion)
 
     def solve(self, problem: ForceProblem) -> tuple[np.ndarray, float]:
         """Forces of least total that balance one wrench.

@@ -11,7 +11,7 @@ import numpy as np
 from planner.contact_models.contact_model import ContactModel
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.errors import SolverError
-from planner.forces.contact_program import SOLVED, ContactProgram
+from planner.forces.contact_program import SOLVED, ContactProgram, Criterion
 from planner.forces.problem import ForceProblem, ForceSolution
 
 UNREASONABLE = 1e6
@@ -39,15 +39,13 @@ class MinimaxForces:
             caps[finger * cap, -1] = -1.0
             force = slice(finger * components, finger * components + dimension)
             caps[finger * cap + 1 : (finger + 1) * cap, force] = -np.eye(dimension)
-        self._program = ContactProgram(
-            fingers,
-            dimension,
-            model,
+        criterion = Criterion(
             quadratic=np.zeros((variables, variables)),
             linear=np.append(np.zeros(variables - 1), 1.0),
             rows=caps,
             cones=[clarabel.SecondOrderConeT(cap) for _ in range(fingers)],
         )
+        self._program = ContactProgram(fingers, dimension, model, criterion)
 
     def solve(self, problem: ForceProblem) -> ForceSolution:
         """Solve one problem.

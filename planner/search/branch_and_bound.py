@@ -10,10 +10,12 @@ When no row is open, no subset beats the level, and the cuts that pruned are the
 
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from planner.search.constraints.distinct import Apart
+from planner.search.constraints.constraint import Constraints
+from planner.search.constraints.distinct import Distinct
 from planner.search.constraints.spacing import Spacing
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
@@ -45,6 +47,20 @@ LAST_WORK = 0.1
 """Time for tightening the bounds of a search that was stopped [s]."""
 
 
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Before:
+    """What earlier searches of the same problem left."""
+
+    began: float = field(default_factory=time.perf_counter)
+    """When the clock of the log and the time limit started, `time.perf_counter()` [s]."""
+
+    subsets: Sequence[np.ndarray] = ()
+    """Subsets that are not wanted again, nor any like them, shape (m,) each."""
+
+    directions: Sequence[np.ndarray] = ()
+    """Cuts that are known, shape (D,) each."""
+
+
 class BranchAndBound:
     """State of one certified search."""
 
@@ -54,9 +70,7 @@ class BranchAndBound:
         method: SearchSettings,
         observe: Callable[[Progress], None],
         stop: Callable[[], bool],
-        began: float | None = None,
-        earlier: Sequence[np.ndarray] = (),
-        directions: Sequence[np.ndarray] = (),
+        before: "Before | None" = None,
     ) -> None:
         """
         Args:
@@ -64,18 +78,17 @@ class BranchAndBound:
             method: How.
             observe: Called with every line of the search log.
             stop: Ends the search once true.
-            began: When the clock of the log and the time limit started, `time.perf_counter()`; by default now [s].
-            earlier: Subsets that are not wanted again, nor any like them, shape (m,) each.
-            directions: Cuts known beforehand, shape (D,) each.
+            before: What earlier searches of the same problem left; by default there were none.
         """
         self.problem, self.method, self.observe, self.stop = problem, method, observe, stop
-        self.began = time.perf_counter() if began is None else began
+        before = before or Before()
+        self.began = before.began
         self.evaluator = Evaluator(problem)
         self.cuts = CutTable(problem)
         self.tree = build_tree(problem)
-        self.spacing = Spacing(problem, self.tree)
-        self.apart = Apart(problem, self.tree, earlier, method.apart)
-        for direction in directions:
+        distinct = Distinct(problem, self.tree, before.subsets, method.apart)
+        self.constraints = Constraints((Spacing(problem, self.tree), distinct))
+        for direction in before.directions:
             self.cuts.add(direction)
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
@@ -85,7 +98,7 @@ class BranchAndBound:
             method.gap,
             method.keep,
             method.within,
-            self.apart.admits,  # nothing that refers to self: the tables go as soon as the search is over
+            self.constraints.admit,  # nothing that refers to self: the tables go as soon as the search is over
         )
         self.pruned_bound = 0.0  # largest bound on 1 / rho among everything pruned or evaluated
         self.useful: set[int] = set()  # cuts that gave such a bound: they are the proof
@@ -131,7 +144,7 @@ class BranchAndBound:
         for subsets in pairs(self.problem):
             if status := self.halted():
                 return status
-            subsets = subsets[self.apart.admit(subsets)]
+            subsets = subsets[self.constraints.admits(subsets)]
             bounds = line_bounds(self.problem, subsets)  # whose cut every pair has of its own: none is kept
             self.remember(bounds[bounds <= self.threshold])
             possible.append(subsets[bounds > self.threshold])
@@ -187,7 +200,7 @@ class BranchAndBound:
         rows = self.frontier.pop(BATCH)
         self.nodes += len(rows)
         rows = split(rows, self.tree)
-        rows = rows[self.spacing.possible(rows.nodes) & self.apart.possible(rows.nodes)]
+        rows = rows[self.constraints.possible(rows.nodes)]
         self.bounds.extend()
         rows = self.unpruned(self.bounds.bound(rows, self.threshold))
         single = (self.tree.sizes[rows.nodes] == 1).all(axis=1)
@@ -281,5 +294,6 @@ class BranchAndBound:
             grasps=self.incumbents.grasps,
             lower_bound=self.lower_bound(),
             directions=self.cuts.directions[sorted(self.useful)],
+            stated=self.constraints.stated(),
             trace=tuple(self.trace),
         )

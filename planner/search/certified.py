@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from planner.search.branch_and_bound import BranchAndBound
+from planner.search.branch_and_bound import Before, BranchAndBound
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, SearchResult, Status
 from planner.search.settings import SearchSettings
@@ -34,11 +34,11 @@ class CertifiedSearch(SearchSettings):
             stop: Asked again and again; once true, the search returns with what it has.
         """
         if self.apart > 0 and self.keep > 1:
-            return self._run_apart(problem, observe, stop)
+            return self._run_distinct(problem, observe, stop)
         run = BranchAndBound(problem, self, observe, stop)
         return run.result(run.search())
 
-    def _run_apart(
+    def _run_distinct(
         self, problem: SearchProblem, observe: Callable[[Progress], None], stop: Callable[[], bool]
     ) -> SearchResult:
         """One search for each grasp, without the subsets that are like the grasps before it; cuts are kept.
@@ -51,7 +51,8 @@ class CertifiedSearch(SearchSettings):
         results: list[SearchResult] = []
         while len(results) < self.keep:
             earlier = [grasp.subset for result in results for grasp in result.grasps]
-            run = BranchAndBound(problem, settings, observe, stop, began, earlier, list(directions))
+            before = Before(began=began, subsets=earlier, directions=list(directions))
+            run = BranchAndBound(problem, settings, observe, stop, before)
             result = run.result(run.search())
             directions = run.cuts.directions
             worst = np.inf if self.within is None or not results else results[0].rho * (1 + self.within)

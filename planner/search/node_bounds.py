@@ -91,9 +91,11 @@ class NodeBounds:
         columns = np.full(len(rows), UNCHANGED)
         blocks = -(-len(self._cut_of_column) // BLOCK)
 
+        tables = self._maxima, self._block_minima
+
         def bound_some(some: slice) -> None:
             nodes = rows.nodes[some]
-            bound_rows(self._maxima, self._block_minima, nodes, blocks, pruned_at, lowered[some], columns[some])
+            bound_rows(tables, nodes, blocks, pruned_at, lowered[some], columns[some])
 
         list(self._threads.map(bound_some, _shares(len(rows))))
         better = columns != UNCHANGED

@@ -1,6 +1,6 @@
 """What a search returns: its best grasp, a proven bound, and the cuts that prove it."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 import numpy as np
@@ -73,6 +73,9 @@ class SearchResult:
 
     directions: np.ndarray
     """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""
+
+    stated: dict[str, float] = field(default_factory=dict)
+    """What every subset must keep to, as the certificate states it; empty where nothing is asked."""
 
     trace: tuple[Progress, ...]
     """The search log, oldest first; the last line is the end state."""

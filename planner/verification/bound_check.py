@@ -60,12 +60,26 @@ class BoundCheck:
         return self.share == 1 and not self.counterexample
 
 
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """No subset of so many candidates resists W_R with less than a force level."""
+
+    fingers: int
+    """Size m of the subsets."""
+
+    reference_point: np.ndarray
+    """p_o, shape (d,) [m]."""
+
+    wrenches: np.ndarray
+    """Vertices of W_R, shape (l, D) [N, N m]."""
+
+    bound: float
+    """Lower bound on rho [N]."""
+
+
 def check_bound(
     certificate: Certificate,
-    fingers: int,
-    reference_point: np.ndarray,
-    wrenches: np.ndarray,
-    bound: float,
+    claim: Claim,
     observe: Callable[[int], None] = lambda _: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> BoundCheck:
@@ -73,21 +87,18 @@ def check_bound(
 
     Args:
         certificate: Candidates, cuts, and what every subset must keep to.
-        fingers: Size m of the subsets.
-        reference_point: p_o, shape (d,) [m].
-        wrenches: Vertices of W_R, shape (l, D) [N, N m].
-        bound: Claimed lower bound on rho [N].
+        claim: What they are to prove.
         observe: Called now and then with the number of subsets that are settled.
         stop: Asked again and again; once true, the check ends with the share that is settled.
 
     Raises:
-        CandidateError: If the kinds of fingers do not add up to `fingers`.
+        CandidateError: If the kinds of fingers do not add up to the fingers claimed.
     """
-    candidates = certificate.candidates
+    candidates, fingers, wrenches = certificate.candidates, claim.fingers, claim.wrenches
     counts = [(kind.fingers, kind.candidates) for kind in certificate.kinds] or [(fingers, len(candidates))]
     if sum(count for count, _ in counts) != fingers:
         raise CandidateError(f"the kinds of fingers {certificate.kinds} do not add up to {fingers} fingers")
-    arms = candidates.points - reference_point
+    arms = candidates.points - claim.reference_point
     table = np.empty((len(arms), len(certificate.cuts)))
     for start in range(0, len(certificate.cuts), CUTS_AT_ONCE):
         if stop():
@@ -95,7 +106,7 @@ def check_bound(
         some = slice(start, start + CUTS_AT_ONCE)
         table[:, some] = capacities(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
     table *= certificate.strengths[:, None]
-    most = (1 + ROUNDING) / bound
+    most = (1 + ROUNDING) / claim.bound
     if fingers == 2 and candidates.dimension == 3:
         return _check_pairs(certificate, table, arms, wrenches, most, stop)
     groups = group_candidates(candidates.points, candidates.normals, [count for _, count in counts], table)

@@ -12,7 +12,7 @@ from time import perf_counter
 from planner.grasps.grasp import Certificate, ProofCheck
 from planner.search.minimal_cuts import needed_directions
 from planner.search.result import SearchResult, Status
-from planner.verification.bound_check import BoundCheck, check_bound
+from planner.verification.bound_check import BoundCheck, Claim, check_bound
 
 logger = logging.getLogger(__name__)
 
@@ -71,8 +71,7 @@ def certificate_of(result: SearchResult) -> Certificate:
         candidates=problem.contacts,
         cuts=result.directions,
         kinds=problem.kinds,
-        spacing=problem.least_distance,
-        span=problem.span,
+        **result.stated,
     )
 
 
@@ -80,9 +79,6 @@ def _check(result: SearchResult, stop: Callable[[], bool]) -> BoundCheck:
     problem = result.problem
     return check_bound(
         certificate_of(result),
-        problem.fingers,
-        problem.reference_point,
-        problem.wrenches,
-        result.lower_bound,
+        Claim(problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound),
         stop=stop,
     )

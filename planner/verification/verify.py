@@ -17,7 +17,7 @@ from planner.forces.reference import ReferenceForces
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.search.result import Status
-from planner.verification.bound_check import check_bound
+from planner.verification.bound_check import Claim, check_bound
 from planner.verification.check import Check, checked
 from planner.verification.provenance.provenance import check_provenance
 
@@ -158,7 +158,9 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
 
     settled(0)
     began = perf_counter()
-    check = check_bound(certificate, search.fingers, task.reference_point, task.wrenches, grasp.lower_bound, settled)
+    check = check_bound(
+        certificate, Claim(search.fingers, task.reference_point, task.wrenches, grasp.lower_bound), settled
+    )
     detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method} in {perf_counter() - began:.2g} s"
     if check.counterexample:
         detail += f"; no cut covers subset {check.counterexample}"

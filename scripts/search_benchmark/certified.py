@@ -10,7 +10,7 @@ from planner.grasps.grasp import Certificate
 from planner.search.certified import CertifiedSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
-from planner.verification.bound_check import check_bound
+from planner.verification.bound_check import Claim, check_bound
 from scripts.search_benchmark.isolated import run_isolated
 
 PATIENCE = 30.0
@@ -113,5 +113,5 @@ def _run(problem: SearchProblem, gap: float, limit: float) -> CertifiedRun:
 def _check(problem: SearchProblem, run: CertifiedRun) -> tuple[bool, float]:
     certificate = Certificate(candidates=problem.contacts, cuts=run.directions)
     began = time.perf_counter()
-    check = check_bound(certificate, problem.fingers, problem.reference_point, problem.wrenches, run.lower_bound)
+    check = check_bound(certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, run.lower_bound))
     return check.proven, time.perf_counter() - began

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from planner.grasps.grasp import Grasp
-from planner.grasps.why_infeasible import hopeless_cut, reasons, remedies
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from planner.pictures.shaded_surface import shaded_surface
 from planner.pictures.sharp_edges import sharp_edges
 from planner.search.result import Status
+from planner.verification.why_infeasible import hopeless_cut, reasons, remedies
 
 TIP_RADIUS = 0.02
 """Radius of a drawn fingertip where no validation states it, relative to the object's size."""

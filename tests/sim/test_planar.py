@@ -1,42 +1,24 @@
 """Planar grasps in MuJoCo: slabs that move in their plane only, measured like any other grasp."""
 
-from functools import cache
-
 import mujoco
 import numpy as np
 import pytest
 
-from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
-from planner.grasp_problem import GraspProblem
-from planner.grasps.grasp import Grasp
-from planner.grasps.lift import in_space, lift_contacts
+from planner.grasps.lift import lift_contacts
 from planner.objects.object_file import read_object_file
 from planner.objects.planar.extrusion import extruded
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
-from planner.planning import plan
-from planner.task import make_task
 from sim.scene.object_joints import FreeJoint, PlanarJoints, joints_of
 from sim.trial.experiment import set_up
 from sim.trial.protocol import STRICT
 from sim.validation.displacement import displaced_grasps
 from sim.validation.validation import Validation, validate_contacts
 from sim.validation.verdict import Verdict
+from tests.strategies.planar_grasps import CASES, planned
 from tests.strategies.planar_objects import HOOK, planar_object
 from tests.tools.commands import ASSETS
-
-CASES = {"convex": "56", "concave": "86"}
-"""Our planar objects and the candidates they are meant for."""
-
-
-@cache
-def planned(name: str, fingers: int) -> tuple[RigidObject, Grasp]:
-    """The optimal grasp at friction 0.3, in space."""
-    planar = read_object_file(ASSETS / "planar" / f"{name}.toml")
-    assert isinstance(planar, PlanarObject)
-    candidates = make_candidates(planar, CASES[name], 0.3, seed=0)
-    return in_space(planar, plan(GraspProblem(planar, make_task("paper", planar), candidates, fingers)))
 
 
 def validated(name: str, fingers: int, *, rho_error: float = 1.0, friction_error: float = 1.0) -> Validation:

@@ -29,7 +29,7 @@ from sim.trial.protocol import ACTIVE
 from sim.trial.schedule import fractions
 from sim.validation.validation import validate
 from sim.validation.verdict import Verdict
-from tests.sim.test_feed_forward import grasp_and_wrench
+from tests.strategies.grasps_and_wrenches import grasp_and_wrench
 from tests.strategies.planned_grasps import Planned, box
 from tests.tools.commands import ASSETS
 

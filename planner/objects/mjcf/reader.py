@@ -25,9 +25,9 @@ from planner.objects.parts.cylinder import Cylinder
 from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
+from planner.objects.plausibility import size_doubts
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
-from planner.plausibility import size_doubts
 
 logger = logging.getLogger(__name__)
 

@@ -25,7 +25,7 @@ from planner.objects.digest import digest
 from planner.objects.planar.outline import Outline
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.planar.simple_polygon import LARGEST, simple_polygon
-from planner.plausibility import size_doubts
+from planner.objects.plausibility import size_doubts
 
 logger = logging.getLogger(__name__)
 

@@ -59,10 +59,9 @@ def _add_up(table: np.ndarray, nodes: np.ndarray, first: int, count: int, sums: 
             sums[column] += row[first + column]
 
 
-@compiled("(f4[:, ::1], f4[:, ::1], i8[:, ::1], i8, f4, f4[::1], i8[::1])", reorder=True)
+@compiled("(UniTuple(f4[:, ::1], 2), i8[:, ::1], i8, f4, f4[::1], i8[::1])", reorder=True)
 def bound_rows(
-    maxima: np.ndarray,
-    block_minima: np.ndarray,
+    tables: tuple[np.ndarray, np.ndarray],
     rows: np.ndarray,
     blocks: int,
     threshold: float,
@@ -75,14 +74,15 @@ def bound_rows(
     the most promising one is read for the bound it gives.
 
     Args:
-        maxima: U, shape (nodes, at least blocks * BLOCK) [1/N].
-        block_minima: Smallest U of each block, shape (nodes, at least blocks) [1/N].
+        tables: U, shape (nodes, at least blocks * BLOCK), and the smallest U of each block, shape (nodes, at least
+            blocks) [1/N].
         rows: Node numbers, shape (rows, m).
         blocks: Blocks in use.
         threshold: Rows whose bound falls to this value or below are pruned [1/N].
         bounds: Valid upper bounds on 1 / rho of the rows, lowered in place, shape (rows,) [1/N].
         cuts: Column of the cut that gave each bound, or unchanged where none lowered it, set in place, shape (rows,).
     """
+    maxima, block_minima = tables
     sums = np.empty(BLOCK, np.float32)
     promise = np.empty(blocks, np.float32)
     for row in range(len(rows)):

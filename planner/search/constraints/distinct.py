@@ -2,7 +2,7 @@
 
 Two grasps are alike when every contact of the one lies within a distance of some contact of the other. With d_i the
 distance from candidate i to the nearest contact of an earlier grasp, a subset is like that grasp iff max_i d_i is below
-the distance; so the maxima of d below each node of the tree tell which rows hold nothing else.
+the distance; so the maxima of d below each region tell which rows hold nothing else.
 """
 
 from collections.abc import Sequence
@@ -13,8 +13,8 @@ from planner.search.problem import SearchProblem
 from planner.search.regions.candidate_tree import CandidateTree
 
 
-class Apart:
-    """Which rows hold subsets that are unlike every earlier grasp."""
+class Distinct:
+    """A contact far from every contact of each earlier grasp; see `Constraint`."""
 
     def __init__(
         self, problem: SearchProblem, tree: CandidateTree, earlier: Sequence[np.ndarray], apart: float
@@ -34,24 +34,16 @@ class Apart:
         self._farthest = [tree.boxes(distances[:, None])[1][:, 0] for distances in self._distances]
 
     def possible(self, rows: np.ndarray) -> np.ndarray:
-        """Which rows may hold a subset unlike all, shape (rows,).
-
-        Args:
-            rows: Node numbers, shape (rows, m).
-        """
+        """See `Constraint.possible`."""
         return self._far(self._farthest, rows)
 
-    def admit(self, subsets: np.ndarray) -> np.ndarray:
-        """Which subsets are unlike all earlier grasps, shape (subsets,).
-
-        Args:
-            subsets: Candidate indices, shape (subsets, m).
-        """
+    def admits(self, subsets: np.ndarray) -> np.ndarray:
+        """See `Constraint.admits`."""
         return self._far(self._distances, subsets)
 
-    def admits(self, subset: np.ndarray) -> bool:
-        """Whether one subset, shape (m,), is unlike all earlier grasps."""
-        return bool(self.admit(subset[None])[0])
+    def stated(self) -> dict[str, float]:
+        """Nothing: the certificate is about the best grasp, before which there is none."""
+        return {}
 
     def _far(self, distances: list[np.ndarray], chosen: np.ndarray) -> np.ndarray:
         """Where one of the chosen is far enough from each earlier grasp, shape (rows,)."""

@@ -1,6 +1,6 @@
-"""Which rows of tree nodes hold subsets whose contacts are neither too close to each other nor too far apart.
+"""Contacts that are neither too close to each other nor too far apart.
 
-The points below a node lie in its bounding box, so two boxes that are everywhere closer than the spacing, or everywhere
+The points of a region lie in its bounding box, so two boxes that are everywhere closer than the spacing, or everywhere
 farther apart than the span, hold no pair that is wanted. For single candidates this is exact.
 """
 
@@ -13,20 +13,16 @@ from planner.search.regions.candidate_tree import CandidateTree
 
 
 class Spacing:
-    """Bounding boxes of all nodes, and the distances that are wanted."""
+    """The distances of any two contacts that are wanted; see `Constraint`."""
 
     def __init__(self, problem: SearchProblem, tree: CandidateTree) -> None:
         self._needed = problem.pairs_are_limited
-        self._least, self._most = problem.least_distance, problem.span
+        self._least, self._most, self._points = problem.least_distance, problem.span, problem.contacts.points
         if self._needed:
             self._lower, self._upper = tree.boxes(problem.contacts.points)
 
     def possible(self, rows: np.ndarray) -> np.ndarray:
-        """Which rows may hold a wanted subset, shape (rows,).
-
-        Args:
-            rows: Node numbers, shape (rows, m).
-        """
+        """See `Constraint.possible`."""
         possible = np.ones(len(rows), dtype=bool)
         if self._needed:
             for first, second in combinations(rows.T, 2):
@@ -35,3 +31,16 @@ class Spacing:
                 possible &= np.linalg.norm(np.maximum(gaps, 0.0), axis=1) <= self._most
                 possible &= np.linalg.norm(reach, axis=1) >= self._least
         return possible
+
+    def admits(self, subsets: np.ndarray) -> np.ndarray:
+        """See `Constraint.admits`."""
+        wanted = np.ones(len(subsets), dtype=bool)
+        if self._needed:
+            for first, second in combinations(subsets.T, 2):
+                distances = np.linalg.norm(self._points[first] - self._points[second], axis=1)
+                wanted &= (distances >= self._least) & (distances <= self._most)
+        return wanted
+
+    def stated(self) -> dict[str, float]:
+        """Least and greatest distance [m]."""
+        return {"spacing": self._least, "span": self._most}

@@ -10,7 +10,7 @@ from planner.contacts import Contacts, grasp_maps
 from planner.forces.least_total import LeastTotalForces, largest_least_total
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from tests.planner.forces.test_minimax import SEEDS, SHAPES, random_problem
+from tests.strategies.force_problems import SEEDS, SHAPES, random_problem
 
 SOLVERS = {shape: LeastTotalForces(*shape) for shape in SHAPES}
 

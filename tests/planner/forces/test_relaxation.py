@@ -12,7 +12,7 @@ from planner.contacts import Contacts, contact_frames, grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.relaxation import OPTIONS, SIDES, RelaxedForces, cone_edges
-from tests.planner.forces.test_minimax import SEEDS, SHAPES, random_problem
+from tests.strategies.force_problems import SEEDS, SHAPES, random_problem
 
 RELAXED = {shape: RelaxedForces(*shape) for shape in SHAPES}
 EXACT = {shape: MinimaxForces(*shape) for shape in SHAPES}

@@ -10,7 +10,7 @@ from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.forces.semidefinite import SemidefiniteForces
-from tests.planner.forces.test_minimax import SHAPES, random_problem
+from tests.strategies.force_problems import SHAPES, random_problem
 
 TRIALS = 10
 BEYOND_ANY_GRASP = 1e5

@@ -14,9 +14,9 @@ from planner.limits.limits import Approach, Limits, Table
 from planner.objects.mjcf.reader import read_object
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.surface.exposure import SEAM
-from tests.planner.candidates.test_against_mujoco import OVERLAPPING
 from tests.strategies.cups import box_cup
 from tests.strategies.mjcf_files import EVERY_SHAPE, shared_object, written
+from tests.strategies.overlapping_parts import OVERLAPPING
 from tests.strategies.parts import box, rigid_object
 from tests.strategies.planar_objects import HOOK, planar_object, star
 from tests.tools.capsule import Capsule

@@ -18,7 +18,7 @@ from planner.search.finger_kind import FingerKind
 from planner.search.paper import PaperSearch
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
-from planner.verification.bound_check import check_bound
+from planner.verification.bound_check import Claim, check_bound
 from planner.verification.proof_check import certificate_of
 from tests.strategies.limited_problems import opposite_problem
 from tests.strategies.search_problems import random_problem
@@ -140,7 +140,9 @@ def test_pairs_whose_moment_is_zero_but_for_rounding_are_not_pruned_and_every_bo
         result, best = CertifiedSearch(gap=GAP).run(problem), exhaustive_search(problem)
         assert result.rho == pytest.approx(np.inf if best is None else best.rho, rel=GAP * 1.01), seed
         bound = result.lower_bound * (1 - 1e-9)
-        assert check_bound(certificate_of(result), 2, problem.reference_point, problem.wrenches, bound).proven, seed
+        assert check_bound(certificate_of(result), Claim(2, problem.reference_point, problem.wrenches, bound)).proven, (
+            seed
+        )
 
 
 def test_with_position_error_rho_is_the_worst_of_all_shifts() -> None:

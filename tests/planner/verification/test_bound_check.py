@@ -19,7 +19,7 @@ from planner.search.exhaustive import exhaustive_search
 from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem
 from planner.verification import bound_check as module
-from planner.verification.bound_check import capacities, check_bound
+from planner.verification.bound_check import Claim, capacities, check_bound
 from tests.strategies import limited_problems as limited
 from tests.strategies.limited_problems import allowed, least_level, limited_problem, opposite_problem
 from tests.strategies.search_problems import random_problem
@@ -35,7 +35,7 @@ def certified(seed: int) -> tuple[SearchProblem, Certificate, float]:
 
 
 def holds(problem: SearchProblem, certificate: Certificate, bound: float) -> bool:
-    return check_bound(certificate, problem.fingers, problem.reference_point, problem.wrenches, bound).proven
+    return check_bound(certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, bound)).proven
 
 
 def test_capacities_are_the_support_function_written_differently() -> None:
@@ -73,7 +73,7 @@ def test_a_counterexample_is_a_subset_better_than_the_claim() -> None:
     problem, certificate, bound = certified(4)
     best = exhaustive_search(problem)
     assert best is not None
-    check = check_bound(certificate, problem.fingers, problem.reference_point, problem.wrenches, 2 * bound)
+    check = check_bound(certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, 2 * bound))
     assert not check.proven
     assert len(set(check.counterexample)) == problem.fingers
 
@@ -95,7 +95,9 @@ def test_every_subset_is_settled_once(most_enumerated: int, monkeypatch: pytest.
             continue  # pairs in space are not counted: they take no time
         settled: list[int] = []
         check_bound(
-            certificate, problem.fingers, problem.reference_point, problem.wrenches, bound, observe=settled.append
+            certificate,
+            Claim(problem.fingers, problem.reference_point, problem.wrenches, bound),
+            observe=settled.append,
         )
         assert settled == sorted(settled)
         assert settled[-1] == problem.subsets == certificate.subsets(problem.fingers)
@@ -116,7 +118,7 @@ def test_under_limits_a_proven_bound_is_accepted_and_a_larger_one_is_not(
         assert bound <= best * (1 + 1e-6)
         if best < problem.force_ceiling:
             check = check_bound(
-                certificate, problem.fingers, problem.reference_point, problem.wrenches, best * (1 + 1e-3)
+                certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, best * (1 + 1e-3))
             )
             assert not check.proven
             assert allowed(problem, check.counterexample)
@@ -209,7 +211,7 @@ def test_coinciding_candidates_are_told_apart(most_enumerated: int, monkeypatch:
     problem, certificate, bound = certified(4)
     repeated = problem.contacts.subset(np.repeat(np.arange(len(problem.contacts)), 3))
     many = Certificate(candidates=repeated, cuts=certificate.cuts)
-    check = check_bound(many, problem.fingers, problem.reference_point, problem.wrenches, 3 * bound)
+    check = check_bound(many, Claim(problem.fingers, problem.reference_point, problem.wrenches, 3 * bound))
     assert not check.proven
     assert len(set(check.counterexample)) == problem.fingers
 

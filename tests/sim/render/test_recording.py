@@ -18,7 +18,7 @@ from planner.search.certified import CertifiedSearch
 from planner.task import make_task
 from sim.render.recording import FAR, Recording, outcome, record
 from sim.trial.protocol import ACTIVE
-from tests.sim.test_planar import planned
+from tests.strategies.planar_grasps import planned
 
 BALL = '<mujoco><worldbody><body name="b"><freejoint/><geom size=".03"/></body></worldbody></mujoco>'
 

@@ -7,31 +7,16 @@ from hypothesis import strategies as st
 
 from planner.contact_models.friction_cone import utilisation
 from planner.contacts import Contacts, grasp_maps
-from planner.forces.minimax import MinimaxForces
-from planner.forces.problem import ForceProblem
 from sim.trial.feed_forward import CAP_TOLERANCE, FeedForward
+from tests.strategies.grasps_and_wrenches import ORIGIN, grasp_and_wrench
 
 SEEDS = st.integers(0, 2**32 - 1)
-ORIGIN = np.zeros(3)
 
 
 def opposed(friction: float = 0.5) -> Contacts:
     """Two fingers that press a body between x = -1 and x = 1."""
     points = np.array([(-1.0, 0, 0), (1, 0, 0)])
     return Contacts(points=points, normals=-points, friction=np.full(2, friction))
-
-
-def grasp_and_wrench(seed: int) -> tuple[Contacts, np.ndarray, float]:
-    """A random grasp, a wrench that it can balance, and the cap phi that this needs."""
-    rng = np.random.default_rng(seed)
-    fingers = int(rng.integers(3, 7))
-    points = rng.normal(size=(fingers, 3))
-    points /= np.linalg.norm(points, axis=1, keepdims=True)
-    contacts = Contacts(points=points, normals=-points, friction=rng.uniform(0.2, 1.0, size=fingers))
-    pushes = contacts.normals * rng.uniform(0.1, 1, size=(fingers, 1)) + 0.08 * rng.normal(size=(fingers, 3))
-    wrench = -np.einsum("iDd,id->D", grasp_maps(points, ORIGIN), pushes)
-    problem = ForceProblem(contacts=contacts, reference_point=ORIGIN, wrench=wrench)
-    return contacts, wrench, MinimaxForces(fingers, 3).solve(problem).phi
 
 
 @settings(max_examples=40, deadline=None)

@@ -13,7 +13,7 @@ from planner.grasps.grasp_file import read_grasp
 from planner.objects.rigid_object import RigidObject
 from planner.search.result import Status
 from sim.view.subject import Subject, read_subject, subject
-from tests.sim.test_planar import planned
+from tests.strategies.planar_grasps import planned
 
 
 def test_contacts_and_forces_are_those_of_the_grasp_file(golden_file: Path) -> None:

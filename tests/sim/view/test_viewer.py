@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.view.subject import Subject, subject
-from tests.sim.test_planar import planned
+from tests.strategies.planar_grasps import planned
 
 pytest.importorskip("viser", reason="the live view needs the extra viz")
 

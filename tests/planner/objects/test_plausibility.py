@@ -13,7 +13,7 @@ from planner.objects.given_mass import GivenMass
 from planner.objects.mass_doubts import height_outside, mass_doubts
 from planner.objects.mjcf.reader import read_object
 from planner.objects.planar.reader import read_planar
-from planner.plausibility import candidate_doubts, friction_doubts, gravity_doubts, grid_doubts, size_doubts
+from planner.objects.plausibility import candidate_doubts, friction_doubts, gravity_doubts, grid_doubts, size_doubts
 from planner.task import make_task
 from tests.strategies.mjcf_files import world, written
 from tests.strategies.parts import box, rigid_object

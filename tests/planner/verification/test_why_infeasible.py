@@ -10,10 +10,10 @@ import pytest
 from planner.candidates.listed import listed_candidates
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
-from planner.grasps.why_infeasible import hopeless_cut, reasons, remedies
 from planner.planning import plan
 from planner.search.result import Status
 from planner.task import Task
+from planner.verification.why_infeasible import hopeless_cut, reasons, remedies
 from sim.report.report_data import hopeless_wrench
 from tests.strategies.parts import box, rigid_object
 from tests.tools.commands import run, says

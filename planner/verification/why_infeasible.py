@@ -4,8 +4,8 @@ import numpy as np
 
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
+from planner.objects.plausibility import CANDIDATES_PER_FINGER
 from planner.objects.vectors import unit
-from planner.plausibility import CANDIDATES_PER_FINGER
 from planner.search.result import Status
 from planner.verification.bound_check import capacities
 

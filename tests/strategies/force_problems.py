@@ -1,0 +1,47 @@
+"""Random inner problems."""
+
+import numpy as np
+from hypothesis import strategies as st
+
+from planner.contacts import Contacts, grasp_maps, wrench_dimension
+from planner.forces.problem import ForceProblem
+
+SHAPES = [(fingers, dimension) for dimension in (2, 3) for fingers in (2, 3, 4, 5)]
+
+
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+def random_problem(rng: np.random.Generator, fingers: int, dimension: int, *, feasible: bool) -> ForceProblem:
+    """A wrench made by forces inside the cones (so it can be balanced), or any wrench at all."""
+    contacts = random_contacts(rng, fingers, dimension)
+    radius = float(np.linalg.norm(contacts.points[0]))
+    point = 0.2 * radius * rng.normal(size=dimension)
+    if feasible:
+        forces = cone_forces(rng, contacts)
+        wrench = -np.einsum("iDd,id->D", grasp_maps(contacts.points, point), forces)
+    else:
+        wrench = rng.normal(size=wrench_dimension(dimension))
+        wrench[dimension:] *= radius
+    return ForceProblem(contacts=contacts, reference_point=point, wrench=10.0 ** rng.uniform(-4, 4) * wrench)
+
+
+def random_contacts(rng: np.random.Generator, fingers: int, dimension: int) -> Contacts:
+    """Contacts around a ball of a random size, their normals up to some 45 degrees off the centre."""
+    outward = rng.normal(size=(fingers, dimension))
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    normals = 0.4 * rng.normal(size=(fingers, dimension)) - outward
+    return Contacts(
+        points=10.0 ** rng.uniform(-4, 2) * outward,
+        normals=normals / np.linalg.norm(normals, axis=1, keepdims=True),
+        friction=rng.uniform(0.1, 1.2, size=fingers),
+    )
+
+
+def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
+    """One force inside each friction cone: the normal plus a tangent shorter than mu."""
+    tangents = rng.normal(size=contacts.points.shape)
+    tangents -= (tangents * contacts.normals).sum(axis=1, keepdims=True) * contacts.normals
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    slopes = contacts.friction * rng.uniform(0, 1, size=len(contacts))
+    return rng.uniform(0, 1, size=(len(contacts), 1)) * (contacts.normals + slopes[:, None] * tangents)
