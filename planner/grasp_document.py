@@ -5,7 +5,7 @@ from typing import Annotated
 import msgspec
 
 from planner.candidates.candidates import CandidateChoice
-from planner.grasp import SearchRecord
+from planner.grasp import ProofCheck, SearchRecord
 from planner.search.result import Status
 from planner.source_file import SourceFile
 
@@ -139,4 +139,7 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     """How the candidates were chosen; null where it is not known."""
     search: SearchRecord
     certificate: CertificateRecord
+    proof_check: ProofCheck | None = None
+    """What was checked of the certificate when the grasp was planned; null where that is not known, or no bound is
+    claimed."""
     planner: PlannerRecord
