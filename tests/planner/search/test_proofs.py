@@ -1,4 +1,4 @@
-"""Every certificate checks: what a search claims is what its cuts prove, by code that shares nothing with the search."""
+"""Every certificate checks: its cuts prove the bound that the search claims, by code that shares nothing with it."""
 
 from dataclasses import replace
 
