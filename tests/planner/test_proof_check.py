@@ -1,4 +1,4 @@
-"""A proof is called one only after the independent code has checked it; a search that is wrong on purpose is noticed."""
+"""A proof is called one once the independent code has checked it; a search that is wrong on purpose is noticed."""
 
 import logging
 from collections.abc import Callable
