@@ -109,7 +109,8 @@ class Report:
         if grasp.status is Status.INFEASIBLE:
             self._infeasible(grasp)
         elif not grasp.found:
-            self._say("no grasp found yet; allow more time")
+            more = "" if grasp.status is Status.UNRESOLVED else "; allow more time"
+            self._say(f"no grasp found yet{more} ({grasp.status})")
         else:
             self._contacts(grasp)
         self._say(f"wrote       {out}")
@@ -127,7 +128,7 @@ class Report:
         self._say(f"rho         {grasp.rho:.6g} N: every finger must be able to push {hard} ({grasp.status})")
         self._say(
             f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
-            f"({grasp.search.subsets:,} subsets) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
+            f"({_subsets(grasp.search.subsets)}) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
         self._checked(grasp)
         grip = grasp.grip
@@ -152,10 +153,17 @@ class Report:
     def _checked(self, grasp: Grasp) -> None:
         """How much of the proof was checked at once."""
         check = grasp.proof_check
-        if check is not None:
-            rest = "" if check.share == 1 else "; grasp-verify checks all"
-            share = "all subsets" if check.share == 1 else f"{_percent(check.share)} of the subsets"
-            self._say(f"checked     {share}, by the code of grasp-verify, in {check.seconds:.2g} s{rest}")
+        if check is None:
+            return
+        if check.share == 0:
+            self._say("checked     nothing yet of this proof; grasp-verify checks it")
+        elif check.share < 1:
+            self._say(
+                f"checked     {_percent(check.share)} of the subsets, by the code of grasp-verify, in "
+                f"{check.seconds:.2g} s; the rest is not checked yet, grasp-verify checks all"
+            )
+        else:
+            self._say(f"checked     all subsets, by the code of grasp-verify, in {check.seconds:.2g} s")
 
     def _say(self, text: str = "") -> None:
         self._console.say(text)
@@ -164,6 +172,10 @@ class Report:
 def _percent(share: float) -> str:
     """A share below one, never rounded up to all of it."""
     return f"{min(100 * share, 99.9):.3g} %"
+
+
+def _subsets(number: int) -> str:
+    return f"{number:,} subset{'' if number == 1 else 's'}"
 
 
 def _proof_of_others(grasp: Grasp, apart: float) -> str:

@@ -16,8 +16,8 @@ def plan_summary(files: Sequence[Path]) -> dict[str, Any]:
         files: The grasp files, the best grasp first.
 
     Returns:
-        Status, rho [N], lower bound [N], gap, contacts (body frame, SI), the files, and how long the search took [s];
-        null for what does not exist.
+        Status, rho [N], lower bound [N], gap, how much of the proof was checked (share, seconds), contacts (body
+        frame, SI), the files, and how long the search took [s]; null for what does not exist.
     """
     document, *others = (msgspec.json.decode(file.read_bytes(), type=GraspDocument) for file in files)
     return {
@@ -25,6 +25,7 @@ def plan_summary(files: Sequence[Path]) -> dict[str, Any]:
         "rho": document.rho,
         "lower_bound": document.lower_bound,
         "gap": document.gap,
+        "proof_check": document.proof_check,
         "critical_wrench": document.critical_wrench,
         "contacts": document.contacts,
         "fingers": document.search.fingers,

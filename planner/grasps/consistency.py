@@ -5,7 +5,7 @@ import numpy as np
 from planner.contacts import wrench_dimension
 from planner.errors import GraspFileError
 from planner.grasps.document import GraspDocument
-from planner.grasps.grasp import Grasp, SearchRecord
+from planner.grasps.grasp import Grasp, ProofCheck, SearchRecord
 from planner.search.problem import MOST_FINGERS
 from planner.search.result import relative_gap
 
@@ -40,6 +40,7 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
     if grasp.search.subsets != grasp.certificate.subsets(grasp.search.fingers):
         raise GraspFileError(f"{grasp.search.subsets} subsets are stated; the candidates have another number")
     _check_trace(grasp.search)
+    _check_proof_check(grasp.proof_check)
     center = grasp.center_of_mass
     if center is not None and center.shape != (grasp.certificate.candidates.dimension,):
         raise GraspFileError(f"the centre of mass has {center.size} coordinates, the candidates another number")
@@ -81,6 +82,12 @@ def _check_trace(search: SearchRecord) -> None:
         logged, stated = getattr(end, name), getattr(search, name)
         if logged != stated:
             raise GraspFileError(f"the search log ends with {logged} {name}, the search with {stated}: edited?")
+
+
+def _check_proof_check(check: ProofCheck | None) -> None:
+    """Raise GraspFileError unless what was checked of the proof is a share of it."""
+    if check is not None and not (0 <= check.share <= 1 and check.seconds >= 0):
+        raise GraspFileError(f"a share of {check.share:g} of the proof was checked in {check.seconds:g} s: edited?")
 
 
 def _agree(name: str, stated: np.ndarray, derived: np.ndarray) -> None:

@@ -6,7 +6,7 @@ import msgspec
 
 from planner.candidates.candidates import CandidateChoice
 from planner.files.source_file import SourceFile
-from planner.grasps.grasp import SearchRecord
+from planner.grasps.grasp import ProofCheck, SearchRecord
 from planner.search.result import Status
 
 FORMAT = "rhograsp.grasp"
@@ -139,4 +139,7 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     """How the candidates were chosen; null where it is not known."""
     search: SearchRecord
     certificate: CertificateRecord
+    proof_check: ProofCheck | None = None
+    """What was checked of the certificate when the grasp was planned; null where that is not known, or no bound is
+    claimed."""
     planner: PlannerRecord

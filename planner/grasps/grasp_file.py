@@ -127,6 +127,7 @@ def _document(path: Path, grasp: Grasp) -> GraspDocument:
         forces=grasp.forces.tolist(),
         search=grasp.search,
         certificate=_certificate_record(grasp.certificate),
+        proof_check=grasp.proof_check,
         planner=PlannerRecord(version=grasp.packages["rhograsp"], packages=grasp.packages, command=grasp.command),
         candidate_choice=_placed_choice(grasp.candidate_choice, lambda source: _from_folder(source, path.parent)),
     )
@@ -236,6 +237,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         forces=np.array(document.forces, dtype=float).reshape(len(document.phi), *shape),
         search=document.search,
         certificate=certificate,
+        proof_check=document.proof_check,
         packages=document.planner.packages,
         center_of_mass=_point(document.object.center_of_mass),
         candidate_choice=_placed_choice(document.candidate_choice, lambda source: _in_folder(source, path.parent)),

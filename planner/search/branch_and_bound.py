@@ -138,25 +138,38 @@ class BranchAndBound:
         return self.proven_status()
 
     def search_pairs(self) -> Status:
-        """Two fingers in space: the moment about their line settles most pairs, the rest are evaluated."""
+        """Two fingers in space: the moment about their line settles most pairs, the rest are bounded and evaluated.
+
+        Row by row of all pairs, so that the first grasps come early, and no more than a row is ever kept.
+        """
         self.log()
-        possible = []
         for subsets in pairs(self.problem):
             if status := self.halted():
                 return status
+            self.nodes += len(subsets)
             subsets = subsets[self.constraints.admits(subsets)]
             bounds = line_bounds(self.problem, subsets)  # whose cut every pair has of its own: none is kept
             self.remember(bounds[bounds <= self.threshold])
-            possible.append(subsets[bounds > self.threshold])
-            self.nodes += len(subsets)
-        for subset in np.concatenate(possible):
-            if status := self.halted():
-                return status
-            self.evaluate(subset)
+            self.settle(subsets[bounds > self.threshold])
+            self.log_if_due()
         if status := self.halted():
             return status
         self.frontier.pop(1)
         return self.proven_status()
+
+    def settle(self, subsets: np.ndarray) -> None:
+        """Prune what the cuts of now prune of some subsets, shape (subsets, m), and evaluate the others, best first."""
+        for first in range(0, len(subsets), BATCH):
+            some = subsets[first : first + BATCH]
+            bounds, cuts = self.cuts.bounds(some)
+            pruned = bounds <= self.threshold
+            self.remember(bounds[pruned])
+            self.useful.update(np.unique(cuts[pruned]).tolist())
+            order = np.argsort(-bounds, kind="stable")
+            for subset in some[order[~pruned[order]]]:
+                if self.ends():
+                    return
+                self.evaluate(subset)
 
     def proven_status(self) -> Status:
         """What the bounds of everything pruned amount to, once nothing is open."""

@@ -73,6 +73,13 @@ class CutTable:
         cut = int(sums.argmin())
         return float(sums[cut]), cut
 
+    def bounds(self, subsets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The same of many subsets, shape (subsets, m): their bounds and the cuts, shape (subsets,) each."""
+        sums = self.values[subsets[:, 0]]
+        for candidates in subsets[:, 1:].T:
+            sums += self.values[candidates]
+        return sums.min(axis=1), sums.argmin(axis=1)
+
     def dangerous_cases(self, subset: np.ndarray) -> np.ndarray:
         """All cases, those first that the cuts call most demanding for this subset, shape (cases,).
 

@@ -181,7 +181,7 @@ class _Check:
                 return self.stopped("enumeration", settled)
             open_ = self.open(group_of[np.array(batch)])
             if len(open_):
-                return self.refuted("enumeration", open_[0])
+                return self.refuted("enumeration", open_[-1])
             settled += len(batch)
             self.observe(settled)
         return BoundCheck(method="enumeration")
@@ -197,8 +197,9 @@ class _Check:
             open_ = self.open(children)
             settled += self.groups.subsets(children).sum() - self.groups.subsets(open_).sum()
             self.observe(round(settled))
-            if len(open_) and (self.groups.size[open_] == 1).all(axis=1).any():
-                return self.refuted("groups", open_[(self.groups.size[open_] == 1).all(axis=1).argmax()])
+            single = open_[(self.groups.size[open_] == 1).all(axis=1)]
+            if len(single):
+                return self.refuted("groups", single[-1])
             rows = np.concatenate([rows, open_])
         return BoundCheck(method="groups")
 

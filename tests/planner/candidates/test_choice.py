@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from planner.candidates.choice import make_candidates
+from planner.contacts import MOST_FRICTION
 from planner.errors import CandidateError
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
@@ -75,7 +76,15 @@ def test_the_papers_candidates_are_refused_on_another_object() -> None:
         make_candidates(rigid_object(box((0, 0, 0), (1, 1, 1))), "case3", None, seed=0)
 
 
+def test_friction_beyond_what_solvers_can_plan_with_is_refused_whoever_states_it() -> None:
+    assert len(make_candidates(prism(friction=MOST_FRICTION), "10", None, seed=0)) == 10
+    with pytest.raises(CandidateError, match=rf"friction of geom '{NAME}' is 1e\+09; it must be positive and at most"):
+        make_candidates(prism(friction=1e9), "10", None, seed=0)
+    with pytest.raises(CandidateError, match=r"friction given is 1e\+09; it must be positive and at most 1000"):
+        make_candidates(prism(), "10", 1e9, seed=0)
+
+
 def test_a_geom_without_friction_needs_one_given() -> None:
-    with pytest.raises(CandidateError, match=f"friction of geom '{NAME}' is 0;"):
+    with pytest.raises(CandidateError, match=f"friction of geom '{NAME}' is 0; it must be positive and at most 1000"):
         make_candidates(prism(friction=0.0), "10", None, seed=0)
     assert len(make_candidates(prism(friction=0.0), "10", 0.4, seed=0)) == 10

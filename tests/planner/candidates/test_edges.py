@@ -107,8 +107,8 @@ def test_listed_points_off_the_outline_are_refused(tmp_path: Path, text: str, me
     [
         ("0", 0.3, "0 candidates"),
         ("1000001", 0.3, "choose 1 to 1000000"),
-        ("56", 0.0, "friction given is 0;"),
-        ("grid:0", 0.3, "spacing is 0;"),
+        ("56", 0.0, "friction given is 0; it must be positive and at most 1000"),
+        ("grid:0", 0.3, "spacing is 0.0"),
         ("grid:nan", 0.3, "spacing is nan"),
         ("grid:1e-9", 0.3, "more than 1000000 cells"),
         ("case3", 0.3, "case3 lists points in space"),

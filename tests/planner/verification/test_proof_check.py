@@ -1,0 +1,138 @@
+"""A proof is called one once the independent code has checked it; a search that is wrong on purpose is noticed."""
+
+import logging
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import planner.proof_check
+from planner.certificate import check_bound
+from planner.grasp_file import read_grasp
+from planner.proof_check import certificate_of, with_checked_proof
+from planner.search.bounded_rows import BoundedRows
+from planner.search.branch_and_bound import BranchAndBound
+from planner.search.certified import CertifiedSearch
+from planner.search.cover import needed_directions
+from planner.search.result import SearchResult, Status
+from planner.verification import verify
+from tests.commands import ASSETS, run
+from tests.planner.search.small_objects import small_problem
+
+SEED = 9
+"""A small problem with a grasp and hundreds of cuts."""
+
+BOX = ("grasp-plan", ASSETS / "box" / "box.xml", "--candidates", 60, "--task", "gravity")
+
+
+@pytest.fixture(scope="module")
+def true_result() -> SearchResult:
+    result = CertifiedSearch(gap=0.0).run(small_problem(SEED))
+    assert result.status in (Status.OPTIMAL, Status.UNRESOLVED)
+    return replace(result, status=Status.OPTIMAL)
+
+
+def never() -> bool:
+    return False
+
+
+def proves(result: SearchResult) -> bool:
+    """Whether all subsets are covered."""
+    problem = result.problem
+    certificate = certificate_of(result)
+    return check_bound(
+        certificate, problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound
+    ).proven
+
+
+def without_a_needed_cut(result: SearchResult) -> SearchResult:
+    """The few cuts of a proof but one, the first without which it is none."""
+    few = needed_directions(result)
+    shorter = (replace(result, directions=np.delete(few, cut, axis=0)) for cut in range(len(few)))
+    return next(each for each in shorter if not proves(each))
+
+
+def claims_a_millionth_more(result: SearchResult) -> SearchResult:
+    """A bound that is higher than what the cuts prove by a millionth of it."""
+    return replace(result, lower_bound=result.lower_bound * (1 + 1e-6))
+
+
+def test_a_true_proof_is_handed_on_as_it_is(true_result: SearchResult, caplog: pytest.LogCaptureFixture) -> None:
+    checked, check = with_checked_proof(true_result, never)
+    assert check is not None
+    assert check.share == 1
+    assert (checked.status, checked.lower_bound) == (true_result.status, true_result.lower_bound)
+    assert len(checked.directions) < len(true_result.directions)
+    assert not caplog.records
+
+
+@pytest.mark.parametrize("faulty", [without_a_needed_cut, claims_a_millionth_more])
+def test_a_faulty_search_is_noticed_and_its_bound_becomes_an_honest_one(
+    true_result: SearchResult, faulty: Callable[[SearchResult], SearchResult], caplog: pytest.LogCaptureFixture
+) -> None:
+    false = faulty(true_result)
+    with caplog.at_level(logging.WARNING):
+        checked, check = with_checked_proof(false, never)
+    assert checked.status is Status.UNRESOLVED
+    assert 0 < checked.lower_bound < false.lower_bound
+    assert check is not None
+    assert check.share == 1
+    assert proves(checked)
+    assert "the search's proof does not check" in caplog.text
+
+
+def test_a_faulty_choice_of_few_cuts_is_mended_by_all_of_them(
+    true_result: SearchResult, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    few = without_a_needed_cut(true_result).directions
+    monkeypatch.setattr(planner.proof_check, "needed_directions", lambda *_: few)
+    checked, check = with_checked_proof(true_result, never)
+    assert check is not None
+    assert check.share == 1
+    assert checked.directions is true_result.directions
+    assert checked.status is true_result.status
+    assert not caplog.records
+
+
+def test_a_check_that_is_stopped_claims_no_share_it_has_not_reached(true_result: SearchResult) -> None:
+    _, check = with_checked_proof(true_result, lambda: True)
+    assert check is not None
+    assert check.share == 0
+
+
+def forgets_cuts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rows are pruned, and the cuts that pruned them do not become part of the proof."""
+
+    def unpruned(self: BranchAndBound, rows: BoundedRows) -> BoundedRows:
+        open_ = rows.bounds > self.threshold
+        self.remember(rows.bounds[~open_])
+        return rows[open_]
+
+    monkeypatch.setattr(BranchAndBound, "unpruned", unpruned)
+
+
+def claims_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bound is that of the best grasp: what a search would say that takes it for the best without looking."""
+    monkeypatch.setattr(BranchAndBound, "lower_bound", lambda self: self.incumbents.rho)
+
+
+@pytest.mark.parametrize("fault", [forgets_cuts, claims_too_much])
+def test_planning_with_a_faulty_search_never_says_optimal(
+    fault: Callable[[pytest.MonkeyPatch], None],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = tmp_path / "box.grasp.json"
+    fault(monkeypatch)
+    assert run(*BOX, "--gap", 1e-2, "--out", out) == 4
+    printed = capsys.readouterr()
+    assert "optimal" not in printed.out
+    assert "proven" not in printed.out
+    assert "the search's proof does not check" in printed.err
+    grasp = read_grasp(out)
+    assert grasp.status is Status.UNRESOLVED
+    assert grasp.lower_bound < grasp.rho
+    assert all(check.holds for check in verify(grasp))
