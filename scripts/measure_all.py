@@ -94,7 +94,10 @@ def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console)
     tallies = tally(grasps, FACTORS, observe=lambda done: console.count(TESTED, done, len(grasps)))
     for each in tallies:
         kind = "false passes" if each.factor < 1 else "false fails"
-        console.say(f"cap {each.factor:g} phi: {each.wrong} {kind} in {each.tests} single-wrench tests")
+        console.say(
+            f"cap {each.factor:g} phi: {each.wrong} {kind} in {each.tests} single-wrench tests; "
+            f"on the friction limit {each.limited_wrong} in {each.limited}"
+        )
     _save(options.out / "tally", [asdict(each) for each in tallies])
     return sum(each.wrong for each in tallies)
 

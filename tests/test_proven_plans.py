@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planner.certificate import BoundCheck, check_bound
-from planner.grasp import Certificate
-from planner.grasp_file import read_grasp
+from planner.grasps.grasp import Certificate
+from planner.grasps.grasp_file import read_grasp
 from planner.search.result import Status
-from tests.commands import ASSETS, run, says
-from tests.shared import shared
+from planner.verification.bound_check import BoundCheck, Claim, check_bound
+from tests.tools.commands import ASSETS, run, says
+from tests.tools.shared import shared
 
 BOX = ASSETS / "box" / "box.xml"
 
@@ -78,12 +78,12 @@ def test_a_check_that_is_cut_short_says_what_is_left(
     ) -> BoundCheck:
         times = count()
         return check_bound(
-            certificate, fingers, reference_point, wrenches, bound, stop=lambda: stop() or next(times) >= asks
+            certificate, Claim(fingers, reference_point, wrenches, bound), stop=lambda: stop() or next(times) >= asks
         )
 
     out = tmp_path / "box.grasp.json"
-    monkeypatch.setattr("planner.proof_check.check_bound", cut_short)
-    monkeypatch.setattr("planner.certificate.BATCH", 64)
+    monkeypatch.setattr("planner.verification.proof_check.check_bound", cut_short)
+    monkeypatch.setattr("planner.verification.bound_check.BATCH", 64)
     assert run("grasp-plan", BOX, "--candidates", 40, "--out", out) == 0
     printed = capsys.readouterr().out
     assert "all subsets" not in printed

@@ -23,8 +23,9 @@ INTERRUPTED = 128 + signal.SIGINT
 OUT_OF_TIME = 4
 """Exit code: stopped at a limit."""
 
-GRACE = 0.3
-"""Time after the limit for work that is about to return what it has [s]."""
+GRACE = 0.2
+"""Time after the limit for work that is about to return what it has [s]; half a second is promised, and a busy machine
+is late."""
 
 STOPPING = "stopping; press Ctrl-C again to leave without a result"
 NOTHING_KEPT = "interrupted; nothing is written"

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from sim.scene.units import WHAT_R0_IS
 from sim.trial.measurement import Measurement
 from sim.validation.beyond import Beyond
 from sim.validation.critical_force import CriticalForce
@@ -11,7 +12,7 @@ from sim.validation.force_agreement import ForceAgreement
 from sim.validation.validation import Validation
 
 TABLE_ROWS = 3
-"""Wrenches shown at either end of the table of measured caps."""
+"""Wrenches shown at either end of the table of measured caps, and of those on the friction limit."""
 
 
 def validation_lines(validation: Validation) -> list[str]:
@@ -19,10 +20,11 @@ def validation_lines(validation: Validation) -> list[str]:
     lines = []
     protocol = validation.protocol
     if validation.vertices is not None:
-        lines.append("R0          the largest distance of a contact from the reference point; slips are relative to it")
+        lines.append(f"R0          {WHAT_R0_IS}; slips are relative to it")
     if validation.vertices is not None and validation.forces is not None:
         lines.append(_held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance))
         lines += _forces(validation.forces)
+        lines += _limited(validation.limited, validation.vertices.held, protocol.friction_margin)
     lines += [f"control     {control.change}: {control.outcome()}" for control in validation.controls]
     if validation.critical_force is not None:
         lines += _measured(validation.critical_force)
@@ -43,6 +45,7 @@ def validation_summary(validation: Validation) -> dict[str, Any]:
         "critical_wrench": validation.critical_wrench,
         "wrenches": len(validation.phi),
         "held": int(vertices.held.sum()) if vertices else None,
+        "friction_limited": np.flatnonzero(validation.limited).tolist(),
         "largest_slip": float(vertices.slip.max()) if vertices else None,
         "controls_behaved": all(control.behaved for control in validation.controls),
         "measured_lower": lower,
@@ -66,6 +69,18 @@ def _forces(forces: ForceAgreement) -> tuple[str, str]:
         f"friction    utilisation differs by at most {forces.largest_utilisation:.2%} of the coefficient, typically "
         f"{forces.typical_utilisation:.3%}; the highest is {forces.highest_utilisation:.1%}",
     )
+
+
+def _limited(limited: np.ndarray, held: np.ndarray, margin: float) -> list[str]:
+    rows = np.flatnonzero(limited)
+    if not rows.size:
+        return []
+    shown = ", ".join(str(row) for row in rows[:TABLE_ROWS])
+    more = f" and {rows.size - TABLE_ROWS} more" if rows.size > TABLE_ROWS else ""
+    return [
+        f"limit       {rows.size} of {len(limited)} wrenches lie on the friction limit ({shown}{more}): whatever the "
+        f"force, they need more than {margin:.0%} of the planned friction; {held[rows].sum()} of them held"
+    ]
 
 
 def _measured(critical: CriticalForce) -> list[str]:

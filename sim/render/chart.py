@@ -7,6 +7,7 @@ import numpy as np
 
 from sim.render.palette import INK, LINE, MUTED, SLIPPED
 from sim.render.sheet import Sheet
+from sim.scene.units import WHAT_R0_IS
 from sim.trial.protocol import ValidationProtocol
 
 TICKS = (1e-8, 1e-6, 1e-4, 1e-2, 1.0)
@@ -58,7 +59,7 @@ class Chart:
         for column in np.arange(self.left, self.right, 2 * DASH).tolist():
             sheet.line([(column, row), (min(column + DASH, self.right), row)], 1.0, SLIPPED)
         sheet.text(self.left + 6, row - 7, f"slipped: above {allowed:g}", SMALL, SLIPPED)
-        sheet.text(self.left, self.top - 11, "largest slip of a fingertip / radius R0 of the grasp", SMALL, INK)
+        sheet.text(self.left, self.top - 11, f"largest slip of a fingertip / R0, {WHAT_R0_IS}", SMALL, INK)
 
     def _time_axis(self, sheet: Sheet) -> None:
         protocol = self.protocol

@@ -139,8 +139,12 @@ function validationPanel() {
       shell(data.commands.validate));
   }
   const held = measured.vertices.filter((vertex) => vertex.held).length;
+  const limited = measured.friction_limited.length;
+  const limit = !limited ? [] : [`${limited} of the wrenches lie on the friction limit: whatever the force, they need `
+    + `more than ${number(100 * measured.protocol.friction_margin)} % of the planned friction`];
+  const r0 = ["Slips are relative to R0, the largest distance of a contact from the reference point"];
   const words = [`${held} of ${measured.vertices.length} wrenches held with the finger force capped at `
-    + `${number(measured.protocol.hold_factor)} rho`, ...measured.reasons].join(". ");
+    + `${number(measured.protocol.hold_factor)} rho`, ...limit, ...measured.reasons, ...r0].join(". ");
   const rows = measured.controls.map((control) => [el("td", { class: "words" }, control.change),
     el("td", { class: control.behaved ? "ok" : "wrong" }, !control.outcomes.length ? "not possible"
       : control.behaved ? "as predicted" : "against prediction")]);

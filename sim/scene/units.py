@@ -12,6 +12,9 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 
+WHAT_R0_IS = "the largest distance of a contact from the reference point"
+"""For those who read it."""
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Similarity:

@@ -29,11 +29,11 @@ class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Predicted need of fingers that do not adapt [N]; null if no constant preload holds every wrench."""
     preload: tuple[tuple[float, float, float], ...] | None
     """Constant push of each finger in the body frame [N]."""
-    measured_lower: float
-    """Largest force with which some wrench slipped [N]; 0 if none was seen to, or nothing was measured because no
+    measured_lower: float | None
+    """Largest force with which some wrench slipped [N]; 0 if none was seen to, null if nothing was measured because no
     constant preload holds every wrench."""
     measured_upper: float | None
-    """Least force with which every wrench held [N]; null if none was seen to."""
+    """Least force with which every wrench held [N]; null if none was seen to, or nothing was measured."""
     critical_wrench: int | None
     """The wrench that slipped most at measured_lower."""
     force_tolerance: float
@@ -58,7 +58,7 @@ def to_document(squeeze: SqueezeForce, rigid_object: RigidObject, rho: float, gr
         rho=rho,
         squeeze_force=predicted.squeeze_force if feasible else None,
         preload=tuple((x, y, z) for x, y, z in predicted.preload.tolist()) if feasible else None,
-        measured_lower=squeeze.lower,
+        measured_lower=squeeze.lower if feasible else None,
         measured_upper=squeeze.upper if squeeze.upper < float("inf") else None,
         critical_wrench=squeeze.critical_wrench,
         force_tolerance=FORCE_TOLERANCE,

@@ -19,7 +19,7 @@ from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
 from sim.trial.experiment import Experiment, set_up
-from sim.trial.prediction import predicted_caps
+from sim.trial.prediction import on_friction_limit, predicted_caps
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 
 CANDIDATES = "60"
@@ -54,6 +54,11 @@ class FeasibleGrasp:
         """The wrench that needs rho."""
         return int(self.phi.argmax())
 
+    def limited(self, protocol: ValidationProtocol) -> np.ndarray:
+        """Which wrenches lie on the friction limit, shape (wrenches,)."""
+        point, margin = self.task.reference_point, protocol.friction_margin
+        return on_friction_limit(self.contacts, point, self.task.wrenches, margin)
+
     def experiment(self, protocol: ValidationProtocol) -> Experiment:
         """The grasp set up with its planned friction."""
         contacts = self.contacts
@@ -67,11 +72,20 @@ class Tally:
 
     factor: float
     tests: int
+    """Those of wrenches off the friction limit."""
+
     wrong: int
-    """Slips above phi (false fails) or holds below it (false passes)."""
+    """Of these, slips above phi (false fails) or holds below it (false passes)."""
 
     worst_slip: float
-    """Over R0: the largest slip above phi, the smallest below it; between them lies the threshold."""
+    """Of these, over R0: the largest slip above phi, the smallest below it; between them lies the threshold."""
+
+    limited: int
+    """Tests of wrenches on the friction limit, which validations name: small loads beside the cap, so that what is left
+    unbalanced below phi moves the object too slowly to be seen."""
+
+    limited_wrong: int
+    """Of these, slips above phi or holds below it."""
 
 
 def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity") -> list[FeasibleGrasp]:
@@ -159,15 +173,24 @@ def tally(
         observe(done)
     held = np.hstack([each[0] for each in outcomes])
     slips = np.hstack([each[1] for each in outcomes])
+    limited = np.concatenate([grasp.limited(protocol) for grasp in grasps])
+    wrong = held != (np.array(factors) > 1)[:, None]
     return [
         Tally(
             factor=factor,
-            tests=held.shape[1],
-            wrong=int((held[row] != (factor > 1)).sum()),
-            worst_slip=float(slips[row].max() if factor > 1 else slips[row].min()),
+            tests=int((~limited).sum()),
+            wrong=int(wrong[row, ~limited].sum()),
+            worst_slip=_worst(slips[row, ~limited], above=factor > 1),
+            limited=int(limited.sum()),
+            limited_wrong=int(wrong[row, limited].sum()),
         )
         for row, factor in enumerate(factors)
     ]
+
+
+def _worst(slips: np.ndarray, *, above: bool) -> float:
+    """The slip nearest to the threshold."""
+    return float(slips.max(initial=0.0) if above else slips.min(initial=np.inf))
 
 
 def _outcomes(

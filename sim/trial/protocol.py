@@ -29,11 +29,12 @@ class ValidationProtocol(Physics, FingerLaw):
     object_mass: float = 0.1
     """Mass of the object [kg]: the test is quasi-static, so any from 0.02 to 0.1 serves; 0.5 holds back slips."""
 
-    object_damping: float = 1.0
+    object_damping: float = 0.5
     """Drag on the object's motion [N s/m], times reach^2 on its rotation: none at rest, so statics do not feel it.
 
     An object on capped fingertips below it is a pendulum upside down; without drag it tips, without any slip, by up
-    to 2e-3 within the hold, with it by 1e-4. From 10 on slow slips are held back.
+    to 2e-3 within the hold, with it by 2e-4. Drag also holds slips back: under a load of a fiftieth of the cap
+    a fingertip slips at 0.995 by 2.1e-4 without it, by 1.7e-4 with it, by 1.4e-4 with 1.
     """
 
     # Fingers
@@ -49,7 +50,7 @@ class ValidationProtocol(Physics, FingerLaw):
     """Seconds in which wrench and forces grow to their full values [s]."""
 
     hold_time: float = 0.35
-    """Seconds under the full wrench [s]."""
+    """Seconds under the full wrench [s]; in twice as many the pendulum of `object_damping` tips too far."""
 
     # Geometry
     touch_tolerance: float = ON_SURFACE
@@ -62,8 +63,11 @@ class ValidationProtocol(Physics, FingerLaw):
     loaded: float = 0.01
     """A finger is judged when its force exceeds this part of the cap."""
 
-    slip_tolerance: float = 2e-4
-    """Largest slip of a held fingertip, relative to the reach: seen 1e-5 above the cap, 4e-4 at 0.995 of it."""
+    slip_tolerance: float = 1e-4
+    """Largest slip of a held fingertip, relative to the reach: seen 1e-5 above the cap, 1.7e-4 at 0.995 of it.
+
+    On the friction limit, where the load is a hundredth of the cap and less, slips are too slow for any tolerance.
+    """
 
     motion_tolerance: float = 1e-3
     """Largest motion of a held object: translation relative to the reach, rotation in radians."""
@@ -96,7 +100,7 @@ class ValidationProtocol(Physics, FingerLaw):
     """One contact is moved by this part of the object's size and rho predicted anew."""
 
     creep_tolerance: float = 2e-5
-    """Largest slip of fingers that only squeeze, relative to the reach: a tenth of what a slip is."""
+    """Largest slip of fingers that only squeeze, relative to the reach: a fifth of what a slip is."""
 
     def lost(self, state: FinalState) -> np.ndarray:
         """Which objects moved too far to come back, shape (simulations,)."""

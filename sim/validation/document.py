@@ -4,6 +4,7 @@ from math import isfinite
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from planner.files.atomic_write import write_atomically
 from sim.trial.measurement import Measurement
@@ -171,6 +172,9 @@ class ValidationDocument(msgspec.Struct, frozen=True, kw_only=True):
     planned_friction: tuple[float, ...]
     simulated_friction: tuple[float, ...]
     static: StaticRecord
+    friction_limited: tuple[int, ...] = ()
+    """Wrenches on the friction limit, held or not: whatever the cap, they need more than `friction_margin` (see
+    protocol) of the planned friction. Not recorded in files of old."""
     vertices: tuple[SimulationRecord, ...]
     """Every wrench with the cap above rho; empty if the static check failed."""
     forces: ForceAgreement | None
@@ -208,6 +212,7 @@ def to_document(validation: Validation, *, grasp: str | None = None) -> Validati
             tip_radius=static.tip_radius,
             tolerance=static.tolerance,
         ),
+        friction_limited=tuple(np.flatnonzero(validation.limited).tolist()),
         vertices=_records(vertices, validation) if vertices else (),
         forces=validation.forces,
         controls=tuple(_control(control) for control in validation.controls),

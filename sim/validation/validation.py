@@ -76,6 +76,9 @@ class Validation:
     static: StaticCheck
     """Whether the fingertips touch what was planned; if not, nothing was simulated."""
 
+    limited: np.ndarray
+    """Which wrenches lie on the friction limit, shape (wrenches,): whatever the cap, they need nearly all of it."""
+
     vertices: Measurement | None
     """Every wrench with the cap above rho, in order."""
 
@@ -178,6 +181,7 @@ def validate_contacts(
         check_predictions(phi)
     friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
     experiment = set_up(rigid_object, contacts, reference_point, rho, friction, protocol)
+    limited = on_friction_limit(contacts, reference_point, wrenches, protocol.friction_margin)
     objections: tuple[str, ...] = experiment.static.reasons()
     doubts: tuple[str, ...] = ()
     vertices = critical_force = beyond = None
@@ -189,12 +193,11 @@ def validate_contacts(
         trial = experiment.adaptive(wrenches, np.full(count, protocol.hold_factor))
         vertices = experiment.perform(trial, holding)
         controls = (
-            *_simple_controls(experiment, wrenches, critical_wrench, phi, reference_point),
+            *_simple_controls(experiment, wrenches, critical_wrench, phi, limited=bool(limited[critical_wrench])),
             friction_control(experiment, trial, reference_point, wrenches, work.part("controls", count + FEW)),
             displacement_control(rigid_object, contacts, reference_point, wrenches, critical_wrench, protocol),
         )
-        limited = on_friction_limit(contacts, reference_point, wrenches, protocol.friction_margin)
-        objections = unheld(vertices, limited, protocol)
+        objections = unheld(vertices, limited, protocol.reach / experiment.units.length, protocol)
         doubts = undecided(vertices, limited, protocol)
         doubts += tuple(doubt for control in controls if (doubt := control.doubt()))
         if measure:
@@ -215,6 +218,7 @@ def validate_contacts(
         planned_friction=contacts.friction,
         simulated_friction=friction,
         static=experiment.static,
+        limited=limited,
         vertices=vertices,
         forces=force_agreement(vertices, friction, contacts.strengths) if vertices else None,
         controls=controls,
@@ -235,15 +239,12 @@ def _expected(wrenches: int, *, measure: bool, thorough: bool) -> int:
 
 
 def _simple_controls(
-    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray, reference_point: np.ndarray
+    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray, *, limited: bool
 ) -> tuple[Control, Control]:
     """Less cap and no load: two more simulations of the same experiment."""
     protocol = experiment.protocol
     part = 0.0 if squeezes(experiment) else LIGHT
     loads = np.vstack([wrenches[critical_wrench], part * wrenches[critical_wrench]])
-    limited = on_friction_limit(
-        experiment.contacts, reference_point, wrenches[[critical_wrench]], protocol.friction_margin
-    )
     outcome = experiment.measure(loads, np.array([protocol.control_factor, protocol.hold_factor]))
     return (
         cap_control(outcome.rows(slice(0, 1)), critical_wrench, float(phi[critical_wrench]), protocol),
@@ -253,6 +254,6 @@ def _simple_controls(
             part,
             critical_wrench,
             part * float(phi[critical_wrench]),
-            decidable=not (part and limited[0]),
+            decidable=not (part and limited),
         ),
     )

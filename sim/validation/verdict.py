@@ -5,6 +5,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from planner.millimetres import in_mm
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
 
@@ -48,17 +49,27 @@ def undecided(vertices: Measurement, limited: np.ndarray, protocol: ValidationPr
     )
 
 
-def unheld(vertices: Measurement, limited: np.ndarray, protocol: ValidationProtocol) -> tuple[str, ...]:
-    """Why the wrenches with the cap above rho were not all held; empty if they were, but for the limited ones."""
+def unheld(vertices: Measurement, limited: np.ndarray, reach: float, protocol: ValidationProtocol) -> tuple[str, ...]:
+    """Why the wrenches with the cap above rho were not all held; empty if they were, but for the limited ones.
+
+    Args:
+        vertices: Every wrench with the cap above rho.
+        limited: Which lie on the friction limit, shape (wrenches,).
+        reach: R0 [m].
+        protocol: Settings.
+    """
     failed = np.flatnonzero(~vertices.held & ~limited)
     if not failed.size:
         return ()
     worst = int(failed[vertices.slip[failed].argmax()])
     lost = np.flatnonzero(vertices.lost[worst])
+    allowed = protocol.motion_tolerance
+    moved = in_mm(reach * vertices.translations[worst], 2)
     touch = f", fingers {(lost + 1).tolist()} lost contact" if lost.size else ""
     return (
         f"{failed.size} of {len(vertices.held)} wrenches were not held with the cap at {protocol.hold_factor:g} rho "
         f"= {vertices.caps[0]:.5g} N; wrench {worst} slipped {vertices.slip[worst]:.2g} R0 (allowed "
-        f"{protocol.slip_tolerance:g}) and the object moved {vertices.translations[worst]:.2g} R0, "
-        f"{vertices.rotations[worst]:.2g} rad (allowed {protocol.motion_tolerance:g}){touch}",
+        f"{protocol.slip_tolerance:g}) and the object moved {moved} mm and turned "
+        f"{np.rad2deg(vertices.rotations[worst]):.2g} degrees (allowed {in_mm(reach * allowed, 2)} mm, "
+        f"{np.rad2deg(allowed):.2g} degrees){touch}",
     )

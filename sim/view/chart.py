@@ -5,6 +5,7 @@ import viser
 from viser.uplot import Series
 
 from sim.render.palette import HELD, INK, SLIPPED
+from sim.scene.units import WHAT_R0_IS
 from sim.view.playback import Playback
 
 EXPONENTS = (-8.0, 0.0)
@@ -23,7 +24,7 @@ class Chart:
         lowest, highest = EXPONENTS
         self._curves = (playback.recording.times, *np.log10(np.clip(slips, 10**lowest, 10**highest)))
         lines = [_line("held", HELD) if good else _line("slipped", SLIPPED) for good in held]
-        self._title = gui.add_markdown("log10 of the largest slip over R0, over time [s]")
+        self._title = gui.add_markdown(f"log10 of the largest slip over R0, over time [s]; R0 is {WHAT_R0_IS}")
         self._node = gui.add_uplot(
             data=self._known(0),
             series=({"label": "s"}, *lines, {"label": "limit", "stroke": INK, "width": 1, "dash": (4, 4)}),

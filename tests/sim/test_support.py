@@ -1,5 +1,6 @@
 """Loads that only need support: no internal force fits the contacts' cones, and the grasp is true nevertheless."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from planner.contact_models.friction_cone import components
 from planner.contacts import Contacts, grasp_maps
 from planner.grasp_problem import GraspProblem
 from planner.objects.mjcf.reader import read_object
+from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.planar.reader import read_planar
 from planner.objects.pose import Pose
@@ -21,12 +23,13 @@ from planner.search.certified import CertifiedSearch
 from planner.task import make_task
 from sim.commands.modes import MODES
 from sim.commands.validate import Options
-from sim.commands.validation_report import validation_lines
+from sim.commands.validation_report import validation_lines, validation_summary
 from sim.scene.units import similarity
 from sim.trial.active import adaptive_trial
-from sim.trial.prediction import on_friction_limit
+from sim.trial.prediction import on_friction_limit, predicted_caps
 from sim.trial.protocol import ACTIVE
 from sim.trial.schedule import fractions
+from sim.validation.document import to_document
 from sim.validation.validation import validate
 from sim.validation.verdict import Verdict
 from tests.strategies.grasps_and_wrenches import grasp_and_wrench
@@ -57,6 +60,23 @@ def ball_on_fingers(friction: float, tilt: float, sideways: float = 0.0) -> Plan
     contacts = Contacts(points=0.03 * outward, normals=-outward, friction=np.full(3, friction))
     down = np.array([[0, 0, -WEIGHT, 0, 0, 0], [sideways * WEIGHT, 0, -WEIGHT, 0, 0, 0]])
     return Planned(parts=(ball,), contacts=contacts, reference_point=ORIGIN, wrenches=down)
+
+
+def nose_cone(sides: int, half_angle: float, friction: float) -> Planned:
+    """A polyhedral cone, point down, on three fingers below its faces, `half_angle` off its axis."""
+    slope, around = np.deg2rad(half_angle), np.deg2rad([0.0, 120.0, 240.0])
+    rim = 2 * np.pi * (np.arange(sides) + 0.5) / sides
+    height, radius = 0.04, 0.04 * np.tan(slope)
+    corners = np.stack([radius * np.cos(rim), radius * np.sin(rim), np.full(sides, height)], axis=1)
+    part = Polyhedron.hull(np.vstack([corners, np.zeros(3)]), geom="nose", friction=friction)
+    apothem = np.arctan(np.tan(slope) * np.cos(np.pi / sides))  # of a face, where the fingers are
+    out = np.stack([np.cos(around), np.sin(around), np.zeros(3)], axis=1)
+    down = np.array([0, 0, -1.0])
+    points = 0.03 * (np.tan(apothem) * out - down)
+    normals = -(np.cos(apothem) * out + np.sin(apothem) * down)
+    contacts = Contacts(points=points, normals=normals, friction=np.full(3, friction))
+    load = WEIGHT * np.array([[0, 0, -1, 0, 0, 0], [0.05, 0, -1, 0, 0, 0]])
+    return Planned(parts=(part,), contacts=contacts, reference_point=np.array([0, 0, 0.03]), wrenches=load)
 
 
 def block_on_table(sideways: float) -> Planned:
@@ -100,6 +120,19 @@ def test_a_ball_on_three_fingers_below_it_is_confirmed(friction: float, tilt: fl
     assert validation.verdict, validation.reasons
 
 
+@pytest.mark.parametrize(("sides", "half_angle"), [(3, 50.0), (6, 45.0), (12, 60.0)])
+def test_points_under_a_nose_cone_need_the_force_of_the_closed_form_and_are_confirmed(
+    sides: int, half_angle: float
+) -> None:
+    """Straight down, each finger carries a third, along its normal tilted by the friction angle towards the axis."""
+    planned = nose_cone(sides, half_angle, 0.3)
+    upward = np.arccos(planned.contacts.normals[0, 2])
+    assert planned.phi[0] == pytest.approx(WEIGHT / 3 / np.cos(upward - np.arctan(0.3)), rel=1e-6)
+    validation = planned.validated()
+    assert validation.verdict, validation.reasons
+    assert planned.validated(rho_error=0.97).verdict is Verdict.FAIL
+
+
 def test_fingers_that_cannot_squeeze_are_tested_for_creep_under_a_light_load() -> None:
     validation = bar_in_v_block(0.3).validated()
     creep = validation.controls[1]
@@ -119,6 +152,23 @@ def test_a_load_at_the_edge_of_the_friction_cone_is_recognised() -> None:
         assert limited.tolist() == [expected]
 
 
+def test_loads_on_the_friction_limit_are_listed_in_output_and_file_also_when_they_hold() -> None:
+    limited, free = block_on_table(0.395), block_on_table(0.3)
+    both = replace(limited, wrenches=np.vstack([free.wrenches, limited.wrenches]))
+    validation = both.validated()
+    assert validation.vertices is not None and validation.vertices.held.all()
+    (line,) = [line for line in validation_lines(validation) if line.startswith("limit ")]
+    assert "1 of 2 wrenches lie on the friction limit (1)" in line and "1 of them held" in line
+    assert to_document(validation).friction_limited == (1,)
+    assert validation_summary(validation)["friction_limited"] == [1]
+    assert not any(line.startswith("limit ") for line in validation_lines(free.validated()))
+
+
+def test_what_moved_is_said_in_millimetres_and_degrees() -> None:
+    (reason, *_) = bar_in_v_block(0.3).validated(rho_error=0.95).reasons
+    assert " mm and turned " in reason and " degrees (allowed " in reason and " rad" not in reason
+
+
 def test_a_load_on_the_friction_limit_that_slips_is_neither_a_pass_nor_a_fail() -> None:
     validation = block_on_table(0.3999).validated(friction_error=0.98)
     assert validation.verdict is Verdict.NOT_TRUSTWORTHY
@@ -127,10 +177,25 @@ def test_a_load_on_the_friction_limit_that_slips_is_neither_a_pass_nor_a_fail() 
     )
 
 
+def supporting(seed: int) -> tuple[Contacts, np.ndarray, float]:
+    """A random grasp from below only, which cannot squeeze, a load that it carries, and the cap that this needs."""
+    rng = np.random.default_rng(seed)
+    fingers = int(rng.integers(3, 6))
+    around = 2 * np.pi * (np.arange(fingers) + rng.uniform(-0.3, 0.3, size=fingers)) / fingers
+    polar = rng.uniform(0.2, 0.9, size=fingers)
+    points = np.stack([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), -np.cos(polar)], axis=1)
+    contacts = Contacts(points=points, normals=-points, friction=np.full(fingers, rng.uniform(0.05, 0.4)))
+    pushes = contacts.normals * rng.uniform(0.5, 1, size=(fingers, 1)) + 0.01 * rng.normal(size=(fingers, 3))
+    wrench = -np.einsum("iDd,id->D", grasp_maps(points, ORIGIN), pushes)
+    return contacts, wrench, float(predicted_caps(contacts, ORIGIN, wrench[None])[0])
+
+
 @settings(max_examples=30, deadline=None)
-@given(seed=st.integers(0, 2**32 - 1))
-def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(seed: int) -> None:
-    contacts, wrench, phi = grasp_and_wrench(seed)
+@given(seed=st.integers(0, 2**32 - 1), drawn=st.sampled_from([grasp_and_wrench, supporting]))
+def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(
+    seed: int, drawn: Callable[[int], tuple[Contacts, np.ndarray, float]]
+) -> None:
+    contacts, wrench, phi = drawn(seed)
     assume(np.isfinite(phi))
     units = similarity(contacts, ORIGIN, float(phi), ACTIVE.reach)
     trial = adaptive_trial(contacts, units, wrench[None], np.array([ACTIVE.hold_factor]), ACTIVE)

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from planner.certificate import BoundCheck, check_bound
-from planner.proof_check import certificate_of
-from planner.search.cover import needed_directions
 from planner.search.exhaustive import exhaustive_search
+from planner.search.minimal_cuts import needed_directions
 from planner.search.result import SearchResult, Status
+from planner.verification.bound_check import BoundCheck, Claim, check_bound
+from planner.verification.proof_check import certificate_of
 from tests.planner.search.small_objects import settings, small_problem
 
 SEEDS = 200
@@ -26,7 +26,7 @@ def checked(result: SearchResult) -> BoundCheck:
     """The verdict of the independent code."""
     problem = result.problem
     return check_bound(
-        certificate_of(result), problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound
+        certificate_of(result), Claim(problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound)
     )
 
 

@@ -4,13 +4,13 @@ import tracemalloc
 
 import numpy as np
 
-from planner.certificate import check_bound
 from planner.contacts import Contacts
-from planner.proof_check import certificate_of
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
 from planner.search.result import Progress, Status
+from planner.verification.bound_check import Claim, check_bound
+from planner.verification.proof_check import certificate_of
 
 
 def ball(pairs: int) -> SearchProblem:
@@ -58,7 +58,7 @@ def test_the_best_of_all_pairs_is_found_and_proven() -> None:
     assert result.status is Status.OPTIMAL
     assert best * (1 - 1e-6) <= result.rho <= best * 1.001
     certificate = certificate_of(result)
-    assert check_bound(certificate, 2, problem.reference_point, problem.wrenches, result.lower_bound).proven
+    assert check_bound(certificate, Claim(2, problem.reference_point, problem.wrenches, result.lower_bound)).proven
 
 
 def test_pairs_that_no_moment_excludes_are_not_kept_in_memory() -> None:

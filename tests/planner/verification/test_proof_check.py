@@ -8,18 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import planner.proof_check
-from planner.certificate import check_bound
-from planner.grasp_file import read_grasp
-from planner.proof_check import certificate_of, with_checked_proof
-from planner.search.bounded_rows import BoundedRows
+import planner.verification.proof_check
+from planner.grasps.grasp_file import read_grasp
 from planner.search.branch_and_bound import BranchAndBound
 from planner.search.certified import CertifiedSearch
-from planner.search.cover import needed_directions
+from planner.search.minimal_cuts import needed_directions
+from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.result import SearchResult, Status
-from planner.verification import verify
-from tests.commands import ASSETS, run
+from planner.verification.bound_check import Claim, check_bound
+from planner.verification.proof_check import certificate_of, with_checked_proof
+from planner.verification.verify import verify
 from tests.planner.search.small_objects import small_problem
+from tests.tools.commands import ASSETS, run
 
 SEED = 9
 """A small problem with a grasp and hundreds of cuts."""
@@ -43,7 +43,7 @@ def proves(result: SearchResult) -> bool:
     problem = result.problem
     certificate = certificate_of(result)
     return check_bound(
-        certificate, problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound
+        certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, result.lower_bound)
     ).proven
 
 
@@ -87,7 +87,7 @@ def test_a_faulty_choice_of_few_cuts_is_mended_by_all_of_them(
     true_result: SearchResult, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     few = without_a_needed_cut(true_result).directions
-    monkeypatch.setattr(planner.proof_check, "needed_directions", lambda *_: few)
+    monkeypatch.setattr(planner.verification.proof_check, "needed_directions", lambda *_: few)
     checked, check = with_checked_proof(true_result, never)
     assert check is not None
     assert check.share == 1

@@ -80,6 +80,7 @@ def test_no_preload_against_a_moment_about_the_line_of_two_fingers() -> None:
     assert not squeeze.confirmed and squeeze.lower == 0 and np.isinf(squeeze.upper)
     document = to_document(squeeze, rigid_object(*prism().parts), rho=1.0, grasp=None)
     assert document.squeeze_force is None and document.measured_upper is None and document.preload is None
+    assert document.measured_lower is None
 
 
 def test_what_is_written_is_read_back_with_every_setting(tmp_path: Path) -> None:

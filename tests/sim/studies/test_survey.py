@@ -12,6 +12,7 @@ from sim.studies.cost import measure_cost
 from sim.studies.fault_injection import SABOTAGES, PyramidForces, SquareForces, measure_sabotage
 from sim.studies.rho_table import rho_rows
 from sim.studies.survey import FeasibleGrasp, random_grasps, tally
+from tests.sim.test_support import block_on_table
 from tests.strategies.planned_grasps import prism, rigid_object
 from tests.tools.commands import ASSETS
 
@@ -42,6 +43,16 @@ def test_a_wrong_prediction_is_counted_as_wrong_verdicts() -> None:
     )
     below, above = tally([wrong], (0.99, 1.01))
     assert below.wrong == below.tests == 4 and above.wrong == 0
+
+
+def test_wrenches_on_the_friction_limit_are_tallied_by_themselves() -> None:
+    planned = block_on_table(0.395)
+    task = Task(name="push", reference_point=planned.reference_point, wrenches=planned.wrenches)
+    pushed = FeasibleGrasp(
+        rigid_object=rigid_object(*planned.parts), task=task, contacts=planned.contacts, phi=planned.phi
+    )
+    (below,) = tally([grasp(), pushed], (0.97,))
+    assert (below.tests, below.limited) == (4, 1)
 
 
 EXPECTED = {
