@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from planner.contact_models.models import free_to_turn
 from planner.search.constraints.constraint import Constraints
 from planner.search.constraints.distinct import Distinct
 from planner.search.constraints.spacing import Spacing
@@ -124,7 +125,7 @@ class BranchAndBound:
 
     def search(self) -> Status:
         add_vertex_cuts(self.cuts)
-        if self.problem.fingers == 2 and self.problem.contacts.dimension == 3:
+        if free_to_turn(self.problem.contacts, self.problem.fingers):
             return self.search_pairs()
         self.start_incumbent()
         if self.incumbents.best is None and not self.ends() and self.impossible_at_once():

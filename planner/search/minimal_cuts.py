@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.contact_models.models import free_to_turn
 from planner.search.branch_and_bound import BATCH
 from planner.search.constraints.spacing import Spacing
 from planner.search.cuts import CutTable
@@ -37,8 +38,7 @@ def needed_directions(result: SearchResult, stop: Callable[[], bool] = lambda: F
         again than the search took.
     """
     problem = result.problem
-    pairs_in_space = problem.fingers == 2 and problem.contacts.dimension == 3
-    if pairs_in_space or result.status not in (Status.OPTIMAL, Status.INFEASIBLE):
+    if free_to_turn(problem.contacts, problem.fingers) or result.status not in (Status.OPTIMAL, Status.INFEASIBLE):
         return result.directions
     enough = time.perf_counter() + result.trace[-1].seconds
     everything = CutTable(problem)

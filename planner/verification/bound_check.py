@@ -15,6 +15,7 @@ from itertools import chain, combinations, islice, product
 
 import numpy as np
 
+from planner.contact_models.models import free_to_turn
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
 from planner.verification.groups import Groups, group_candidates
@@ -107,7 +108,7 @@ def check_bound(
         table[:, some] = capacities(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
     table *= certificate.strengths[:, None]
     most = (1 + ROUNDING) / claim.bound
-    if fingers == 2 and candidates.dimension == 3:
+    if free_to_turn(candidates, fingers):
         return _check_pairs(certificate, table, arms, wrenches, most, stop)
     groups = group_candidates(candidates.points, candidates.normals, [count for _, count in counts], table)
     check = _Check(

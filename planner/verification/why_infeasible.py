@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.contact_models.models import free_to_turn
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.plausibility import CANDIDATES_PER_FINGER
@@ -64,7 +65,7 @@ def remedies(grasp: Grasp) -> list[str]:
 
 
 def _is_pair(grasp: Grasp) -> bool:
-    return grasp.search.fingers == 2 and grasp.certificate.candidates.dimension == 3
+    return free_to_turn(grasp.certificate.candidates, grasp.search.fingers)
 
 
 def _least_miss(grasp: Grasp) -> float | None:
