@@ -140,7 +140,7 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     report.grasp(grasp, out)
     report.others(grasps[1:], files[1:], options.apart)
     if options.json:
-        write_json(console, plan_summary(files))
+        write_json(console, plan_summary(grasps, files))
     if grasp.status is Status.OPTIMAL:
         return ExitCode.DONE
     return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT

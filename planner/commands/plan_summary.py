@@ -1,25 +1,25 @@
-"""What `grasp-plan --json` prints: the outcome as a script wants it, taken from the grasp file just written."""
+"""What `grasp-plan --json` prints: the outcome as a script wants it, in the words of the grasp file."""
 
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import msgspec
+from planner.grasps.grasp import Grasp
+from planner.grasps.grasp_file import document_of
 
-from planner.grasps.document import GraspDocument
 
-
-def plan_summary(files: Sequence[Path]) -> dict[str, Any]:
+def plan_summary(grasps: Sequence[Grasp], files: Sequence[Path]) -> dict[str, Any]:
     """The outcome of a plan.
 
     Args:
-        files: The grasp files, the best grasp first.
+        grasps: The best first.
+        files: The grasp files they were written to.
 
     Returns:
         Status, rho [N], lower bound [N], gap, how much of the proof was checked (share, seconds), contacts (body
         frame, SI), the files, and how long the search took [s]; null for what does not exist.
     """
-    document, *others = (msgspec.json.decode(file.read_bytes(), type=GraspDocument) for file in files)
+    document, *others = (document_of(grasp, file) for grasp, file in zip(grasps, files, strict=True))
     return {
         "status": document.status,
         "rho": document.rho,

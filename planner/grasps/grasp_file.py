@@ -67,7 +67,7 @@ def write_grasp(path: Path | str, grasp: Grasp) -> None:
         OutputError: When the folder cannot be written, or the file would be larger than what is read.
     """
     path = Path(path)
-    text = msgspec.json.format(msgspec.json.encode(_document(path, grasp)), indent=2).decode()
+    text = msgspec.json.format(msgspec.json.encode(document_of(grasp, path)), indent=2).decode()
     content = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text).encode() + b"\n"
     if len(content) > MOST_BYTES:
         raise OutputError(
@@ -94,7 +94,8 @@ def read_grasp(path: Path | str) -> Grasp:
     return grasp
 
 
-def _document(path: Path, grasp: Grasp) -> GraspDocument:
+def document_of(grasp: Grasp, path: Path) -> GraspDocument:
+    """What a grasp file at that path says, which names other files relative to its folder."""
     contacts = grasp.contacts
     return GraspDocument(
         format=FORMAT,

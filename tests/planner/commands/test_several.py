@@ -27,6 +27,9 @@ def test_each_file_holds_a_worse_grasp_that_verifies(tmp_path: Path, capsys: pyt
     assert len({grasp.lower_bound for grasp in grasps}) == 1
     assert all(check.holds for check in verify(grasps[1]))
     printed = json.loads(capsys.readouterr().out)
+    written = json.loads(out.read_text())
+    for key in ("status", "rho", "lower_bound", "gap", "proof_check", "critical_wrench", "contacts"):
+        assert printed[key] == written[key], key
     assert [other["file"] for other in printed["others"]] == [str(numbered(out, 2)), str(numbered(out, 3))]
 
 
