@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from planner.errors import ObjectError, RhograspError
-from planner.objects.mjcf.compile_effort import named_files, require_moderate
+from planner.objects.mjcf.compile_effort import named_files
 
 MOST_SECONDS = 60.0
 """Time for one compilation; a mesh of 200,000 facets takes a few seconds [s]."""
@@ -51,10 +51,9 @@ def compile_bounded(
         most_bytes: Memory it may take beyond what this process has.
 
     Raises:
-        ObjectError: If the file asks for too much, takes too long or too much memory, or crashes the compiler.
+        ObjectError: If it takes too long or too much memory, or crashes the compiler.
         RhograspError: Those of `compiled`.
     """
-    require_moderate(path)
     state = tuple((file.resolve(), file.stat().st_size, file.stat().st_mtime_ns) for file in named_files(path))
     if state not in rehearsed:
         _rehearse(path, compiled, seconds, most_bytes)

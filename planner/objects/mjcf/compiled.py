@@ -14,10 +14,12 @@ import mujoco
 import numpy as np
 
 from planner.errors import MasslessError, ObjectError
+from planner.objects.digest import digest
 from planner.objects.mjcf.appearance import MASSLESS, advice, without_culprit
 from planner.objects.mjcf.body_poses import body_poses, configuration_at, poses_in_world
 from planner.objects.mjcf.bounded_compile import compile_bounded
 from planner.objects.mjcf.collides import collides
+from planner.objects.mjcf.compile_effort import named_files, require_moderate
 from planner.objects.mjcf.mesh_file import refuse_mesh
 from planner.objects.mjcf.model_tree import body_tree
 from planner.objects.mjcf.names import name_at
@@ -28,6 +30,11 @@ from planner.objects.pose import Pose
 
 REFUSALS = (ValueError, mujoco.FatalError, mujoco.UnexpectedError)
 """What MuJoCo's parser and compiler raise; the last where there is no memory for a field of heights."""
+
+
+_latest: dict[tuple[Path, Path, str], tuple[mujoco.MjModel, tuple[str, ...]]] = {}
+"""The last file compiled as it is, by its path as given, its absolute path and the digest of all that it names: the
+steps of a command ask for the same object."""
 
 
 def _as_it_is(_: mujoco.MjSpec) -> None:
@@ -125,17 +132,27 @@ def compile_mjcf(
 ) -> tuple[mujoco.MjModel, tuple[str, ...]]:
     """The model of a file, and what had to be left out of what is only seen.
 
-    Bodies that the file asks to be fused, and geoms that it asks to be discarded, are kept.
+    Bodies that the file asks to be fused, and geoms that it asks to be discarded, are kept. A file that is asked for
+    again as it is, and has not changed, is not compiled again: do not change its model.
 
     Args:
         path: The MJCF file; what it includes is found as MuJoCo finds it.
         change: Applied to the parsed file before it is compiled.
 
     Raises:
-        ObjectError: If there is no such file, or MuJoCo cannot compile it within the limits of `bounded_compile`.
+        ObjectError: If there is no such file, it asks for too much, or MuJoCo cannot compile it within the limits of
+            `bounded_compile`.
     """
     refuse_mesh(path)
-    return compile_bounded(path, lambda: _compile(path, change))
+    require_moderate(path)
+    if change is not _as_it_is:
+        return compile_bounded(path, lambda: _compile(path, change))
+    read = path, path.absolute(), digest(path.parent, named_files(path))
+    if read not in _latest:
+        compiled = compile_bounded(path, lambda: _compile(path, change))
+        _latest.clear()
+        _latest[read] = compiled
+    return _latest[read]
 
 
 def _compile(path: Path, change: Callable[[mujoco.MjSpec], None]) -> tuple[mujoco.MjModel, tuple[str, ...]]:
