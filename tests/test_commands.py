@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.tools.commands import ASSETS, PRISM, ROOT, heavy_after_help, run, says
+from tests.tools.commands import ASSETS, PRISM, ROOT, heavy_after, heavy_after_help, run, says
 
 
 def plan_prism(out: Path, *arguments: object) -> int:
@@ -54,6 +54,21 @@ def test_help_teaches_and_loads_nothing_heavy(script: str) -> None:
     heavy, printed = heavy_after_help(script, "mujoco", "cvxpy", "scipy", "trimesh", "dm_control")
     assert not heavy
     assert says(printed, "exit codes: 0 done and proven")
+
+
+def test_what_a_command_does_not_need_it_does_not_load(tmp_path: Path) -> None:
+    grasp = tmp_path / "prism.grasp.json"
+    drawing, modelling = ("matplotlib", "glfw", "OpenGL", "PIL"), ("trimesh", "cvxpy", "scipy.optimize", "scipy.stats")
+    paper = ("--friction", 0.3, "--task", "paper", "--candidates", "case3")
+    heavy, printed = heavy_after("plan", [PRISM, *paper, "--out", grasp], *drawing, *modelling, "dm_control", "numba")
+    assert heavy == ["numba"]
+    assert says(printed, r"rho 0\.669003 N")
+    heavy, _ = heavy_after("validate", [grasp, "--out", tmp_path / "x.validation.json"], *drawing, *modelling, "numba")
+    assert heavy == []
+    heavy, _ = heavy_after("inspect_object", [PRISM], *drawing, *modelling, "dm_control", "numba")
+    assert heavy == []
+    heavy, _ = heavy_after("verify", [grasp], *drawing, *modelling, "dm_control", "numba")
+    assert heavy == ["cvxpy", "scipy.optimize", "scipy.stats"]
 
 
 def test_an_impossible_task_is_proven_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,4 @@
-"""Where the planner's commands begin: signals are watched before anything else is imported."""
+"""Where the planner's commands begin: signals are watched before anything else is imported, and that without OpenGL."""
 
 import os
 import sys
@@ -9,11 +9,18 @@ from importlib import import_module
 from planner.terminal.interruption import ignore_signals, watch_signals
 
 
-def starting(module: str) -> Callable[[], None]:
-    """The entry point that calls `main` of a module, which always leaves through `SystemExit`."""
+def starting(module: str, draws: bool = False) -> Callable[[], None]:
+    """The entry point that calls `main` of a module, which always leaves through `SystemExit`.
+
+    Args:
+        module: Its dotted name.
+        draws: Whether it draws with MuJoCo, which otherwise need not load OpenGL.
+    """
 
     def start() -> None:
         watch_signals()
+        if not draws:
+            os.environ.setdefault("MUJOCO_GL", "disable")
         try:
             import_module(module).main()
         except SystemExit as leaving:

@@ -4,5 +4,5 @@ from planner.commands.start import starting
 
 validate = starting("sim.commands.validate")
 report = starting("sim.commands.report")
-render = starting("sim.commands.render")
+render = starting("sim.commands.render", draws=True)
 view = starting("sim.commands.view")

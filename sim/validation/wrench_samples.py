@@ -3,7 +3,6 @@
 from itertools import combinations
 
 import numpy as np
-from scipy.optimize import linprog
 
 WAYPOINTS = 24
 """Corners of the polygon that a rotating load follows."""
@@ -49,6 +48,8 @@ def reach(vertices: np.ndarray, origin: np.ndarray, direction: np.ndarray) -> fl
     Returns:
         Zero if no such s is positive.
     """
+    from scipy.optimize import linprog  # here: only validations beyond the vertices need it
+
     scale = np.abs(vertices).max(axis=0)
     scale[scale == 0] = 1.0
     balance = np.vstack([np.hstack([(vertices / scale).T, -(direction / scale)[:, None]]), np.ones(len(vertices) + 1)])

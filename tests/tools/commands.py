@@ -3,7 +3,7 @@
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -37,8 +37,13 @@ def run(command: str, *arguments: object) -> int:
 
 def heavy_after_help(script: str, *suspects: str) -> tuple[list[str], str]:
     """Which of the suspects a script's --help imports, and what it prints."""
+    return heavy_after(script, ["--help"], *suspects)
+
+
+def heavy_after(script: str, arguments: Sequence[object], *suspects: str) -> tuple[list[str], str]:
+    """Which of the suspects a script imports when it is run like this, and what it prints."""
     code = (
-        "import os, sys, runpy; sys.argv = ['x', '--help']; os._exit = sys.exit\n"
+        f"import os, sys, runpy; sys.argv = {['x', *map(str, arguments)]!r}; os._exit = sys.exit\n"
         f"try: runpy.run_path({str(ROOT / 'scripts' / f'{script}.py')!r}, run_name='__main__')\n"
         "except SystemExit: pass\n"
         f"print('HEAVY', *sorted({set(suspects)!r} & set(sys.modules)))"

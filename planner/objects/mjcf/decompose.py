@@ -12,8 +12,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from trimesh import Trimesh
-from trimesh.util import concatenate
 
 from planner.errors import ObjectError
 from planner.objects.mjcf.compiled import CompiledObject, compile_object
@@ -107,6 +105,9 @@ def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction
 
 def _pieces(vertices: np.ndarray, faces: np.ndarray) -> tuple[list[np.ndarray], tuple[np.ndarray, np.ndarray] | None]:
     """Corners of the closed convex pieces of a mesh, and the mesh of all others; one with cavities stays whole."""
+    from trimesh import Trimesh  # here: half a second that only decompositions need
+    from trimesh.util import concatenate
+
     mesh = Trimesh(vertices, faces)
     pieces = mesh.split(only_watertight=False)
     convex = [piece.is_watertight and piece.is_convex for piece in pieces]

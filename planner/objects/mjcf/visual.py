@@ -10,12 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
-from trimesh.triangles import closest_point
 
 from planner.millimetres import in_mm, point_in_mm
 from planner.objects.mjcf.compiled import CompiledObject, compile_object
 from planner.objects.rigid_object import RigidObject
 from planner.objects.surface.exposure import exposed
+from planner.objects.surface.nearest import nearest_on_triangles
 from planner.objects.surface.projection import project
 from planner.objects.surface.sampling import random_points, whole_surface
 from planner.objects.vectors import norm
@@ -143,7 +143,8 @@ def _distances(rigid_object: RigidObject, points: np.ndarray, generator: np.rand
     nearest, neighbours = cKDTree(drawn[outside]).query(points, k=NEIGHBOURS)
     near = index[outside][neighbours.ravel()]
     repeated = np.repeat(points, NEIGHBOURS, axis=0)
-    feet, normals = project(rigid_object, closest_point(triangles[near], repeated), part[near], facet[near])
+    feet = nearest_on_triangles(triangles[near], repeated)
+    feet, normals = project(rigid_object, feet, part[near], facet[near])
     hidden = ~exposed(rigid_object, feet, normals, part[near])
     to_feet = np.where(hidden, np.inf, norm(feet - repeated)).reshape(neighbours.shape)
     return np.minimum(to_feet.min(axis=1), nearest[:, 0])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from trimesh.triangles import closest_point
 
 from planner.candidates.even import even_candidates
 from planner.errors import ObjectError
@@ -72,6 +73,16 @@ def test_nearest_points_of_triangles_are_not_improved_by_any_sample() -> None:
     sampled = np.linalg.norm(samples - point, axis=2).min(axis=1)
     assert (nearest <= sampled + 1e-12).all()
     assert (nearest >= sampled - 0.15).all()
+
+
+def test_each_triangle_may_have_a_point_of_its_own() -> None:
+    generator = np.random.default_rng(4)
+    triangles, points = generator.normal(size=(200, 3, 3)), 2 * generator.normal(size=(200, 3))
+    triangles[:20, 2] = triangles[:20, 1]  # segments, and points
+    triangles[:5] = triangles[:5, :1]
+    one_by_one = [nearest_on_triangles(triangles[i : i + 1], points[i])[0] for i in range(200)]
+    assert np.array_equal(nearest_on_triangles(triangles, points), one_by_one)
+    assert np.allclose(nearest_on_triangles(triangles, points), closest_point(triangles, points), atol=1e-9)
 
 
 def test_a_point_that_is_not_finite_is_refused() -> None:
