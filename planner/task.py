@@ -30,8 +30,8 @@ from planner.objects.graspable import Graspable
 from planner.objects.plausibility import gravity_doubts
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
+from planner.wrench_sets.by_name import KINDS
 from planner.wrench_sets.circumscribed import MAX_VERTICES
-from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.presets import GRAVITY, PRESETS, Axes6, Preset
 from planner.wrench_sets.values import finite_vector
 from planner.wrench_sets.wrench_set import WrenchSet
@@ -125,7 +125,7 @@ def make_task(choice: str, object: Graspable) -> Task:
 
 def _preset(preset: Preset, object: Graspable, point: np.ndarray) -> WrenchSet:
     """Its set for one object; those that take the weight say where the object's file has another gravity."""
-    if isinstance(object, RigidObject) and not isinstance(preset, Axes6):
+    if not isinstance(preset, Axes6):
         for doubt in gravity_doubts(object.gravity, GRAVITY):
             logger.warning("%s", doubt)
     return preset.for_object(object, point)

@@ -42,10 +42,7 @@ class Report:
         self._say(
             f"object      {rigid_object.file}, body {rigid_object.body!r}: {rigid_object.mass:.4g} kg, {extent} mm"
         )
-        if isinstance(rigid_object, RigidObject) and not rigid_object.given.nothing:
-            self._say(f"given       {_given(rigid_object.given)}, in place of the file's")
-        if isinstance(rigid_object, RigidObject):
-            self._as_read(rigid_object)
+        self._as_read(rigid_object)
         self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
         if candidates.moved > LEAST:
@@ -56,16 +53,17 @@ class Report:
         self._kinds(problem.kinds)
         self._choice(len(problem.allowed.candidates), fingers)
 
-    def _as_read(self, rigid_object: RigidObject) -> None:
-        """Joints that are frozen, and parts that are only obstacles."""
-        source = rigid_object.source
+    def _as_read(self, rigid_object: Graspable) -> None:
+        """Mass properties that are given, joints that are frozen, and parts that are only obstacles."""
+        source, touchable = rigid_object.source, rigid_object.touchable
+        if not source.given.nothing:
+            self._say(f"given       {_given(source.given)}, in place of the file's")
         if source.locked_joints:
             where = "qpos0" if source.keyframe is None else f"keyframe '{source.keyframe}'"
             self._say(f"locked      {', '.join(source.locked_joints)}: one rigid object, its joints as at {where}")
-        if rigid_object.untouchable:
-            total = len(rigid_object.parts)
+        if not touchable.all():
             self._say(
-                f"touched     {total - len(rigid_object.untouchable)} of {total} geoms, those of body "
+                f"touched     {touchable.sum()} of {len(touchable)} geoms, those of body "
                 f"'{rigid_object.body}'; the others are of the object, and obstacles"
             )
 

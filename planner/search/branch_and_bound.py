@@ -58,7 +58,7 @@ class Before:
     subsets: Sequence[np.ndarray] = ()
     """Subsets that are not wanted again, nor any like them, shape (m,) each."""
 
-    directions: Sequence[np.ndarray] = ()
+    cuts: Sequence[np.ndarray] = ()
     """Cuts that are known, shape (D,) each."""
 
 
@@ -89,7 +89,7 @@ class BranchAndBound:
         self.tree = build_tree(problem)
         distinct = Distinct(problem, self.tree, before.subsets, method.apart)
         self.constraints = Constraints((Spacing(problem, self.tree), distinct))
-        for direction in before.directions:
+        for direction in before.cuts:
             self.cuts.add(direction)
         self.bounds = NodeBounds(self.tree, self.cuts)
         self.frontier = Frontier(problem.fingers)
@@ -307,7 +307,7 @@ class BranchAndBound:
             status=status,
             grasps=self.incumbents.grasps,
             lower_bound=self.lower_bound(),
-            directions=self.cuts.directions[sorted(self.useful)],
+            cuts=self.cuts.directions[sorted(self.useful)],
             stated=self.constraints.stated(),
             trace=tuple(self.trace),
         )

@@ -47,14 +47,14 @@ class CertifiedSearch(SearchSettings):
         best.
         """
         began, settings = time.perf_counter(), replace(self, keep=1, within=None)
-        directions = np.empty((0, problem.wrenches.shape[1]))
+        cuts = np.empty((0, problem.wrenches.shape[1]))
         results: list[SearchResult] = []
         while len(results) < self.keep:
             earlier = [grasp.subset for result in results for grasp in result.grasps]
-            before = Before(began=began, subsets=earlier, directions=list(directions))
+            before = Before(began=began, subsets=earlier, cuts=list(cuts))
             run = BranchAndBound(problem, settings, observe, stop, before)
             result = run.result(run.search())
-            directions = run.cuts.directions
+            cuts = run.cuts.directions
             worst = np.inf if self.within is None or not results else results[0].rho * (1 + self.within)
             if results and not result.rho <= min(worst, problem.force_ceiling):
                 break

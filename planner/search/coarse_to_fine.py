@@ -80,7 +80,7 @@ class CoarseToFine:
             status=Status.HEURISTIC,
             grasps=(best,) if best else (),
             lower_bound=0.0,
-            directions=np.empty((0, problem.wrenches.shape[1])),
+            cuts=np.empty((0, problem.wrenches.shape[1])),
             trace=tuple(trace),
         )
 

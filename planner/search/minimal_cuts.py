@@ -26,7 +26,7 @@ ROUNDING = 1e-10
 """Relative slack for the rounding of a sum of a few numbers; `planner.verification` allows ten times as much."""
 
 
-def needed_directions(result: SearchResult, stop: Callable[[], bool] = lambda: False) -> np.ndarray:
+def minimal_cuts(result: SearchResult, stop: Callable[[], bool] = lambda: False) -> np.ndarray:
     """The directions of a result that already prove its lower bound; all of them where choosing takes too long.
 
     Args:
@@ -39,17 +39,17 @@ def needed_directions(result: SearchResult, stop: Callable[[], bool] = lambda: F
     """
     problem = result.problem
     if free_to_turn(problem.contacts, problem.fingers) or result.status not in (Status.OPTIMAL, Status.INFEASIBLE):
-        return result.directions
+        return result.cuts
     enough = time.perf_counter() + result.trace[-1].seconds
     everything = CutTable(problem)
-    for direction in result.directions:
+    for direction in result.cuts:
         if stop():
-            return result.directions
+            return result.cuts
         everything.add(direction)
     walk = _Walk(problem, everything, 1 / result.lower_bound)
     while len(walk.frontier):
         if time.perf_counter() > enough or stop() or not walk.advance():
-            return result.directions
+            return result.cuts
     return walk.chosen.directions
 
 
@@ -76,11 +76,11 @@ class _Walk:
         known = np.zeros(len(rows), dtype=bool)
         known[single] = self.pruned(self.chosen, rows[single]).any(axis=1)
         rows, single = rows[~known], single[~known]
-        kills = self.all_bounds.kills(rows.nodes, self.threshold)
-        kills[single] = self.pruned(self.everything, rows[single])
-        for cut in greedy_cover(kills):
+        prunes = self.all_bounds.prunes(rows.nodes, self.threshold)
+        prunes[single] = self.pruned(self.everything, rows[single])
+        for cut in greedy_cover(prunes):
             self.chosen.add(self.everything.directions[cut])
-        left = np.flatnonzero(~kills.any(axis=1))
+        left = np.flatnonzero(~prunes.any(axis=1))
         if single[left].any():
             return False
         if len(left):
@@ -93,14 +93,14 @@ class _Walk:
         return np.asarray(sums <= self.threshold * (1 + ROUNDING))
 
 
-def greedy_cover(kills: np.ndarray) -> list[int]:
+def greedy_cover(prunes: np.ndarray) -> list[int]:
     """Few columns that together hold a True in every row that has one.
 
     Args:
-        kills: Shape (rows, columns).
+        prunes: Shape (rows, columns).
     """
     chosen = []
-    left = kills[kills.any(axis=1)]
+    left = prunes[prunes.any(axis=1)]
     while len(left):
         chosen.append(int(left.sum(axis=0).argmax()))
         left = left[~left[:, chosen[-1]]]

@@ -103,7 +103,7 @@ class NodeBounds:
         bounds[better], cuts[better] = lowered[better], self._cut_of_column[columns[better]]
         return BoundedRows(nodes=rows.nodes, bounds=bounds, cuts=cuts)
 
-    def kills(self, rows: np.ndarray, threshold: float) -> np.ndarray:
+    def prunes(self, rows: np.ndarray, threshold: float) -> np.ndarray:
         """Which cuts prune which rows, shape (rows, cuts).
 
         Args:
@@ -114,9 +114,9 @@ class NodeBounds:
         sums = self._maxima[rows[:, 0], :count]
         for nodes in rows[:, 1:].T:
             sums += self._maxima[nodes, :count]
-        kills = np.empty(sums.shape, dtype=bool)
-        kills[:, self._cut_of_column] = sums <= np.float32(threshold)
-        return kills
+        prunes = np.empty(sums.shape, dtype=bool)
+        prunes[:, self._cut_of_column] = sums <= np.float32(threshold)
+        return prunes
 
 
 def _shares(count: int) -> list[slice]:

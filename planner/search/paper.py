@@ -179,7 +179,7 @@ class _Run:
             status=Status.OPTIMAL if self.best else Status.INFEASIBLE,
             grasps=(self.best,) if self.best else (),
             lower_bound=self.trace[-1].lower_bound,
-            directions=np.empty((0, self.problem.wrenches.shape[1])),
+            cuts=np.empty((0, self.problem.wrenches.shape[1])),
             trace=tuple(self.trace),
         )
 

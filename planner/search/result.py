@@ -71,7 +71,7 @@ class SearchResult:
     lower_bound: float
     """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling and every rho found."""
 
-    directions: np.ndarray
+    cuts: np.ndarray
     """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""
 
     stated: dict[str, float] = field(default_factory=dict)

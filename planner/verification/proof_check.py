@@ -10,7 +10,7 @@ from dataclasses import replace
 from time import perf_counter
 
 from planner.grasps.grasp import Certificate, ProofCheck
-from planner.search.minimal_cuts import needed_directions
+from planner.search.minimal_cuts import minimal_cuts
 from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import BoundCheck, Claim, check_bound
 
@@ -38,7 +38,7 @@ def with_checked_proof(result: SearchResult, stop: Callable[[], bool]) -> tuple[
     """
     if result.lower_bound <= 0:
         return result, None
-    short = replace(result, directions=needed_directions(result, stop))
+    short = replace(result, cuts=minimal_cuts(result, stop))
     began = perf_counter()
     until = began + max(LEAST_TIME, SHARE_OF_SEARCH * result.trace[-1].seconds)
 
@@ -69,7 +69,7 @@ def certificate_of(result: SearchResult) -> Certificate:
     problem = result.problem
     return Certificate(
         candidates=problem.contacts,
-        cuts=result.directions,
+        cuts=result.cuts,
         kinds=problem.kinds,
         **result.stated,
     )

@@ -106,7 +106,7 @@ def _run(problem: SearchProblem, gap: float, limit: float) -> CertifiedRun:
         status=result.status,
         rho=result.rho,
         lower_bound=result.lower_bound,
-        directions=result.directions,
+        directions=result.cuts,
     )
 
 

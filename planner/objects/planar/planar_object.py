@@ -40,6 +40,10 @@ class PlanarObject:
         return ObjectSource(file=self.file, body=self.body)
 
     @property
+    def gravity(self) -> None:
+        """Its file states none."""
+
+    @property
     def parts(self) -> tuple[Part, ...]:
         """The outline, the only part."""
         return (self.outline,)

@@ -24,7 +24,7 @@ def proven_bound(result: SearchResult) -> float:
     maps = grasp_maps(contacts.points, problem.reference_point)
     weakest = 0.0
     tables = []
-    for direction in result.directions:
+    for direction in result.cuts:
         load = max(-direction @ wrench for wrench in problem.wrenches)
         tables.append(support(maps.transpose(0, 2, 1) @ direction, contacts.normals, contacts.friction) / load)
     for subset in combinations(range(len(contacts)), problem.fingers):

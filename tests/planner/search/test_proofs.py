@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from planner.search.exhaustive import exhaustive_search
-from planner.search.minimal_cuts import needed_directions
+from planner.search.minimal_cuts import minimal_cuts
 from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import BoundCheck, Claim, check_bound
 from planner.verification.proof_check import certificate_of
@@ -47,7 +47,7 @@ def test_every_certificate_proves_its_bound_before_and_after_thinning(first: int
         search = settings(seed)
         result = search.run(small_problem(seed))
         assert checked(result).proven, seed
-        assert checked(replace(result, directions=needed_directions(result))).proven, seed
+        assert checked(replace(result, cuts=minimal_cuts(result))).proven, seed
         assert all(result.lower_bound <= grasp.rho for grasp in result.grasps), seed
         assert result.gap <= max(search.gap, ACCURACY) or not result.grasps, seed
         if result.problem.subsets <= MOST_ENUMERATED:

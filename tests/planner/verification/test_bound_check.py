@@ -31,7 +31,7 @@ LIMITED = range(40)
 def certified(seed: int) -> tuple[SearchProblem, Certificate, float]:
     problem = random_problem(seed)
     result = CertifiedSearch(gap=1e-4).run(problem)
-    return problem, Certificate(candidates=problem.contacts, cuts=result.directions), result.lower_bound
+    return problem, Certificate(candidates=problem.contacts, cuts=result.cuts), result.lower_bound
 
 
 def holds(problem: SearchProblem, certificate: Certificate, bound: float) -> bool:

@@ -12,7 +12,7 @@ import planner.verification.proof_check
 from planner.grasps.grasp_file import read_grasp
 from planner.search.branch_and_bound import BranchAndBound
 from planner.search.certified import CertifiedSearch
-from planner.search.minimal_cuts import needed_directions
+from planner.search.minimal_cuts import minimal_cuts
 from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import Claim, check_bound
@@ -49,8 +49,8 @@ def proves(result: SearchResult) -> bool:
 
 def without_a_needed_cut(result: SearchResult) -> SearchResult:
     """The few cuts of a proof but one, the first without which it is none."""
-    few = needed_directions(result)
-    shorter = (replace(result, directions=np.delete(few, cut, axis=0)) for cut in range(len(few)))
+    few = minimal_cuts(result)
+    shorter = (replace(result, cuts=np.delete(few, cut, axis=0)) for cut in range(len(few)))
     return next(each for each in shorter if not proves(each))
 
 
@@ -64,7 +64,7 @@ def test_a_true_proof_is_handed_on_as_it_is(true_result: SearchResult, caplog: p
     assert check is not None
     assert check.share == 1
     assert (checked.status, checked.lower_bound) == (true_result.status, true_result.lower_bound)
-    assert len(checked.directions) < len(true_result.directions)
+    assert len(checked.cuts) < len(true_result.cuts)
     assert not caplog.records
 
 
@@ -86,12 +86,12 @@ def test_a_faulty_search_is_noticed_and_its_bound_becomes_an_honest_one(
 def test_a_faulty_choice_of_few_cuts_is_mended_by_all_of_them(
     true_result: SearchResult, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    few = without_a_needed_cut(true_result).directions
-    monkeypatch.setattr(planner.verification.proof_check, "needed_directions", lambda *_: few)
+    few = without_a_needed_cut(true_result).cuts
+    monkeypatch.setattr(planner.verification.proof_check, "minimal_cuts", lambda *_: few)
     checked, check = with_checked_proof(true_result, never)
     assert check is not None
     assert check.share == 1
-    assert checked.directions is true_result.directions
+    assert checked.cuts is true_result.cuts
     assert checked.status is true_result.status
     assert not caplog.records
 

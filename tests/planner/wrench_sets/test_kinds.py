@@ -11,9 +11,9 @@ from scipy.spatial.transform import Rotation
 from planner.errors import TaskError
 from planner.wrench_sets.ball import Ball
 from planner.wrench_sets.box import Box
+from planner.wrench_sets.by_name import KINDS
 from planner.wrench_sets.cylinder import Cylinder
 from planner.wrench_sets.ellipsoid import Ellipsoid
-from planner.wrench_sets.kinds import KINDS
 from planner.wrench_sets.polytope import Polytope
 from planner.wrench_sets.single import Single
 from planner.wrench_sets.wrench_set import WrenchSet
