@@ -18,7 +18,7 @@ LEAST_NORMAL = 1e-6
 """Least length of a normal that says a direction; the greatest is LARGEST."""
 
 
-class Box(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Zone(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The points with lower <= p <= upper in every coordinate; a side may be at infinity.
 
     Raises:
@@ -107,7 +107,7 @@ class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     geoms: tuple[str, ...] | None = None
     """The geoms it may touch, by name or pattern ("wall*"); all where left out."""
 
-    within: Box | None = None
+    within: Zone | None = None
     """Where it may touch; anywhere where left out."""
 
     def __post_init__(self) -> None:
@@ -132,7 +132,7 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     exclude_geoms: tuple[str, ...] = ()
     """Geoms that no finger may touch, by name or pattern ("handle*")."""
 
-    keep_out: tuple[Box, ...] = ()
+    keep_out: tuple[Zone, ...] = ()
     """Boxes in which no contact may lie."""
 
     table: Table | None = None

@@ -12,7 +12,7 @@ from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
-from planner.limits.limits import Box, Finger, Limits
+from planner.limits.limits import Finger, Limits, Zone
 from planner.objects.rigid_object import RigidObject
 from planner.planning import MOST_TRACE_LINES, plan, recorded
 from planner.search.certified import CertifiedSearch
@@ -62,7 +62,7 @@ def test_fingers_keep_to_their_limits_and_no_choice_that_does_needs_less(prism: 
     """Against all assignments of candidates to the three fingers in their order, by an independent solver."""
     candidates = make_candidates(prism, "14", 0.6, seed=1)
     points = candidates.contacts.points
-    high = Box(lower=(-1, -1, float(np.median(points[:, 2]))), upper=(1, 1, 1))
+    high = Zone(lower=(-1, -1, float(np.median(points[:, 2]))), upper=(1, 1, 1))
     tables = Finger(strength=0.4), Finger(within=high, strength=2.0), Finger(strength=0.4)
     limits = Limits(spacing=0.012, span=0.03, fingers=tables)
     task = Task(name="two", reference_point=np.zeros(3), wrenches=1.0 * np.eye(6)[[0, 2]])
@@ -115,7 +115,7 @@ def test_tables_that_say_nothing_change_nothing(prism: RigidObject) -> None:
 
 def test_candidates_that_no_finger_may_use_are_left_out(prism: RigidObject) -> None:
     candidates = make_candidates(prism, "60", None, seed=3)
-    limits = Limits(keep_out=(Box(lower=(-1, -1, -1), upper=(1, 1, 0)),))
+    limits = Limits(keep_out=(Zone(lower=(-1, -1, -1), upper=(1, 1, 0)),))
     grasp = plan(GraspProblem(prism, make_task("gravity", prism), candidates, 4, limits), CertifiedSearch(time_limit=1))
     assert (grasp.certificate.candidates.points[:, 2] > 0).all()
 

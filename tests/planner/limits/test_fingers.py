@@ -6,12 +6,12 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, LimitsError
 from planner.limits.fingers import finger_masks, require_finger_count
-from planner.limits.limits import Box, Finger, Limits
+from planner.limits.limits import Finger, Limits, Zone
 from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from tests.tools.commands import ASSETS
 
-ABOVE = Box(lower=(-1, -1, 0.01), upper=(1, 1, 1))
+ABOVE = Zone(lower=(-1, -1, 0.01), upper=(1, 1, 1))
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, LimitsError
 from planner.limits.kinds import finger_kinds
-from planner.limits.limits import Box, Finger, Limits
+from planner.limits.limits import Finger, Limits, Zone
 from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from planner.search.finger_kind import FingerKind
@@ -69,7 +69,7 @@ def test_fingers_that_are_all_alike_need_no_kinds(bracket: RigidObject, candidat
         (Limits(fingers=(Finger(),)), LimitsError, r"1 tables \[\[finger\]\] for 3 fingers"),
         (Limits(spacing=0.5), LimitsError, "no two of the 40 candidates are more than 0.1[0-9]+ m apart"),
         (Limits(span=1e-5), LimitsError, "no two of the 40 candidates are less than 0.0[0-9]+ m apart"),
-        (Limits(fingers=(Finger(within=Box(lower=(5, 5, 5), upper=(6, 6, 6))),) * 3), CandidateError, "may use none"),
+        (Limits(fingers=(Finger(within=Zone(lower=(5, 5, 5), upper=(6, 6, 6))),) * 3), CandidateError, "may use none"),
     ],
 )
 def test_limits_that_leave_nothing_to_search_are_refused(
@@ -81,7 +81,7 @@ def test_limits_that_leave_nothing_to_search_are_refused(
 
 def test_more_fingers_of_a_kind_than_candidates_are_refused(bracket: RigidObject, candidates: Candidates) -> None:
     highest = float(candidates.contacts.points[:, 2].max())
-    few = Finger(within=Box(lower=(-1, -1, highest), upper=(1, 1, 1)))
+    few = Finger(within=Zone(lower=(-1, -1, highest), upper=(1, 1, 1)))
     count = int((candidates.contacts.points[:, 2] == highest).sum())
     tables = (few,) * (count + 1)
     with pytest.raises(CandidateError, match=f"{count + 1} fingers of one kind but {count} candidates"):

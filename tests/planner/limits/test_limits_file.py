@@ -8,7 +8,7 @@ import pytest
 
 from planner.errors import LimitsError
 from planner.files.toml_file import MAX_FILE_BYTES
-from planner.limits.limits import Approach, Box, Finger, Limits, Table
+from planner.limits.limits import Approach, Finger, Limits, Table, Zone
 from planner.limits.limits_file import read_limits
 from planner.objects.object_file import read_object_file
 from planner.objects.rigid_object import RigidObject
@@ -54,10 +54,10 @@ def test_a_file_may_say_everything(tmp_path: Path) -> None:
         spacing=0.015,
         span=0.12,
         exclude_geoms=("pa*", NAME),
-        keep_out=(Box(lower=(0, -inf, 0), upper=(1, inf, 0.5)),),
+        keep_out=(Zone(lower=(0, -inf, 0), upper=(1, inf, 0.5)),),
         table=Table(normal=(0, 0, 2), height=-0.02, clearance=0.008),
         approach=Approach(radius=0.008, length=0.06),
-        fingers=(Finger(strength=2, geoms=(NAME,)), Finger(within=Box(lower=(0, 0, 0), upper=(1, 1, 1)))),
+        fingers=(Finger(strength=2, geoms=(NAME,)), Finger(within=Zone(lower=(0, 0, 0), upper=(1, 1, 1)))),
     )
     np.testing.assert_array_equal(limits.strengths, [2, 1])
 

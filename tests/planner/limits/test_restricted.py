@@ -11,7 +11,7 @@ from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
 from planner.errors import CandidateError, LimitsError
 from planner.grasp_problem import GraspProblem
-from planner.limits.limits import Approach, Box, Limits, Table
+from planner.limits.limits import Approach, Limits, Table, Zone
 from planner.limits.restricted import restricted
 from planner.limits.table import table_height
 from planner.objects.mjcf.reader import read_object
@@ -68,8 +68,8 @@ CASES: dict[str, tuple[Limits, Callable[[RigidObject, Candidates, int], bool]]] 
     "keep_out": (
         Limits(
             keep_out=(
-                Box(lower=(0.02, -inf, -inf), upper=(inf, inf, inf)),
-                Box(lower=(-1, -1, 0.05), upper=(1, 1, 0.06)),
+                Zone(lower=(0.02, -inf, -inf), upper=(inf, inf, inf)),
+                Zone(lower=(-1, -1, 0.05), upper=(1, 1, 0.06)),
             )
         ),
         is_out_of_the_boxes,
@@ -132,7 +132,7 @@ def test_no_limits_leave_every_candidate(bracket: RigidObject, candidates: Candi
             Limits(exclude_geoms=("*",)),
             r"exclude_geoms leaves none of the 26 candidates \(removed: 26 by exclude_geoms",
         ),
-        (Limits(keep_out=(Box(lower=(-1, -1, -1), upper=(1, 1, 1)),)), "keep_out leaves none"),
+        (Limits(keep_out=(Zone(lower=(-1, -1, -1), upper=(1, 1, 1)),)), "keep_out leaves none"),
         (Limits(table=Table(normal=(0, 0, 1), clearance=1)), "table leaves none .* loosen the limits"),
         (
             Limits(
@@ -179,7 +179,7 @@ def test_a_planar_object_is_restricted_by_the_same_limits() -> None:
     spanner = read_planar(ASSETS / "planar" / "concave.toml")
     candidates = make_candidates(spanner, "30", None, seed=0)
     limits = Limits(
-        keep_out=(Box(lower=(-inf, -inf), upper=(-0.06, inf)),), table=Table(normal=(0, 1 / sqrt(2)), clearance=0.005)
+        keep_out=(Zone(lower=(-inf, -inf), upper=(-0.06, inf)),), table=Table(normal=(0, 1 / sqrt(2)), clearance=0.005)
     )
     points = candidates.contacts.points
     allowed = [

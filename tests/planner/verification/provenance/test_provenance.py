@@ -12,7 +12,7 @@ from planner.candidates.confirmed import confirmed_candidates
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
 from planner.grasps.grasp_file import read_grasp, write_grasp
-from planner.limits.limits import Box, Limits
+from planner.limits.limits import Limits, Zone
 from planner.objects.mjcf.reader import read_object
 from planner.objects.object_file import read_object_file
 from planner.planning import plan
@@ -189,7 +189,7 @@ def test_weakened_deleted_and_moved_candidates_of_a_listed_choice_are_noticed(fi
 def test_limits_made_in_python_leave_open_what_they_removed_but_admit_no_foreign_candidate(tmp_path: Path) -> None:
     box = read_object_file(ASSETS / "box" / "box.xml")
     candidates = make_candidates(box, "40", 0.5)
-    limits = Limits(spacing=0.002, keep_out=(Box(lower=(-1, -1, 0.005), upper=(1, 1, 1)),))
+    limits = Limits(spacing=0.002, keep_out=(Zone(lower=(-1, -1, 0.005), upper=(1, 1, 1)),))
     grasp = plan(GraspProblem(box, make_task("axes6", box), candidates, 3, limits), QUICK)
     file = tmp_path / "box.grasp.json"
     write_grasp(file, grasp)
