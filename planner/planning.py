@@ -85,7 +85,7 @@ def _grasp(
         task=planned.task,
         contacts=replace(contacts, strength=problem.strengths[chosen]) if problem.kinds else contacts,
         geoms=tuple(rigid_object.parts[part].geom for part in candidates.part[chosen]),
-        candidates=chosen,
+        chosen=chosen,
         lower_bound=result.lower_bound,
         status=_status(result, search.gap, found),
         phi=found.phi if found else np.empty(0),

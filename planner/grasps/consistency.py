@@ -55,15 +55,13 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
             f"{len(grasp.contacts)} contacts for {grasp.search.fingers} fingers, "
             f"{len(grasp.phi)} values of phi for {len(grasp.task.wrenches)} wrenches"
         )
-    if grasp.candidates.max() >= len(grasp.certificate.candidates) or len(set(grasp.candidates.tolist())) < len(
-        grasp.candidates
-    ):
-        raise GraspFileError(f"contacts name candidates {grasp.candidates.tolist()}, repeated or out of range")
+    if grasp.chosen.max() >= len(grasp.certificate.candidates) or len(set(grasp.chosen.tolist())) < len(grasp.chosen):
+        raise GraspFileError(f"contacts name candidates {grasp.chosen.tolist()}, repeated or out of range")
     candidates = grasp.certificate.candidates
-    _agree("position", grasp.contacts.points, candidates.points[grasp.candidates])
-    _agree("normal", grasp.contacts.normals, candidates.normals[grasp.candidates])
-    _agree("friction", grasp.contacts.friction, candidates.friction[grasp.candidates])
-    _agree("strength", grasp.contacts.strengths, grasp.certificate.strengths[grasp.candidates])
+    _agree("position", grasp.contacts.points, candidates.points[grasp.chosen])
+    _agree("normal", grasp.contacts.normals, candidates.normals[grasp.chosen])
+    _agree("friction", grasp.contacts.friction, candidates.friction[grasp.chosen])
+    _agree("strength", grasp.contacts.strengths, grasp.certificate.strengths[grasp.chosen])
     _agree("phi", grasp.phi, (np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths).max(axis=1))
     _agree("rho", np.array(document.rho, dtype=float), grasp.phi.max())
     _agree("gap", np.array(document.gap, dtype=float), np.array(relative_gap(grasp.rho, grasp.lower_bound)))

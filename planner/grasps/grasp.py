@@ -155,7 +155,7 @@ class Grasp:
     geoms: tuple[str, ...]
     """Collision geom each contact lies on."""
 
-    candidates: np.ndarray
+    chosen: np.ndarray
     """Number of each contact among the candidates, shape (m,)."""
 
     lower_bound: float

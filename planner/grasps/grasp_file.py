@@ -114,7 +114,7 @@ def document_of(grasp: Grasp, path: Path) -> GraspDocument:
                 normal=contacts.normals[i].tolist(),
                 friction=float(contacts.friction[i]),
                 geom=grasp.geoms[i],
-                candidate=int(grasp.candidates[i]),
+                candidate=int(grasp.chosen[i]),
                 strength=None if contacts.strengths[i] == 1 else float(contacts.strengths[i]),
             )
             for i in range(len(contacts))
@@ -231,7 +231,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
             strength=np.array([1.0 if contact.strength is None else contact.strength for contact in contacts]),
         ),
         geoms=tuple(contact.geom for contact in contacts),
-        candidates=np.array([contact.candidate for contact in contacts], dtype=np.int64),
+        chosen=np.array([contact.candidate for contact in contacts], dtype=np.int64),
         lower_bound=document.lower_bound,
         status=document.status,
         phi=np.array(document.phi, dtype=float),

@@ -105,7 +105,7 @@ def check_bound(
         if stop():
             return BoundCheck(method="groups", share=0.0)
         some = slice(start, start + CUTS_AT_ONCE)
-        table[:, some] = capacities(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
+        table[:, some] = cut_values(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
     table *= certificate.strengths[:, None]
     most = (1 + ROUNDING) / claim.bound
     if free_to_turn(candidates, fingers):
@@ -125,7 +125,7 @@ def check_bound(
     return check.split([count for count, _ in counts])
 
 
-def capacities(
+def cut_values(
     arms: np.ndarray, normals: np.ndarray, friction: np.ndarray, cuts: np.ndarray, wrenches: np.ndarray
 ) -> np.ndarray:
     """a_i(lambda_k): what one newton at contact i does along lambda_k, per unit of what W_R asks along it.

@@ -51,12 +51,12 @@ def verify(grasp: Grasp, observe: Observe = lambda *_: None, moved: Path | None 
 
 def _contacts(grasp: Grasp) -> Check:
     candidates = grasp.certificate.candidates
-    contacts = candidates.subset(grasp.candidates)
+    contacts = candidates.subset(grasp.chosen)
     difference = max(
         float(np.abs(grasp.contacts.points - contacts.points).max()) / float(np.abs(candidates.points).max() or 1.0),
         float(np.abs(grasp.contacts.normals - contacts.normals).max()),
         float(np.abs(grasp.contacts.friction - contacts.friction).max()),
-        float(np.abs(grasp.contacts.strengths / grasp.certificate.strengths[grasp.candidates] - 1).max()),
+        float(np.abs(grasp.contacts.strengths / grasp.certificate.strengths[grasp.chosen] - 1).max()),
     )
     broken = _broken_limits(grasp)
     return checked(
@@ -73,7 +73,7 @@ def _limited(grasp: Grasp) -> bool:
 
 def _broken_limits(grasp: Grasp) -> list[str]:
     """What the chosen candidates do not keep: as many of each kind as it has fingers, spacing and span."""
-    certificate, chosen = grasp.certificate, grasp.candidates
+    certificate, chosen = grasp.certificate, grasp.chosen
     broken = []
     for number, kind in enumerate(certificate.kinds):
         count = int((certificate.kind[chosen] == number).sum())

@@ -8,7 +8,7 @@ from planner.millimetres import in_mm
 from planner.objects.plausibility import CANDIDATES_PER_FINGER
 from planner.objects.vectors import unit
 from planner.search.result import Status
-from planner.verification.bound_check import capacities
+from planner.verification.bound_check import cut_values
 
 MOST_LINED = 1000
 """Candidates whose lines are all compared with the load: half a million, in a fraction of a second."""
@@ -24,7 +24,7 @@ def hopeless_cut(grasp: Grasp) -> np.ndarray | None:
     certificate, task = grasp.certificate, grasp.task
     candidates, cuts = certificate.candidates, certificate.cuts
     arms = candidates.points - task.reference_point
-    table = capacities(arms, candidates.normals, candidates.friction, cuts, task.wrenches)
+    table = cut_values(arms, candidates.normals, candidates.friction, cuts, task.wrenches)
     hopeless = np.flatnonzero(certificate.strengths @ table * grasp.lower_bound <= 1)
     return cuts[hopeless[0]] if len(hopeless) else None
 

@@ -29,12 +29,12 @@ def main() -> None:
     for friction in FRICTIONS:
         candidates = make_candidates(prism, "60", friction, seed=0)  # the same points, another coefficient
         grasp = plan(GraspProblem(prism, task, candidates, fingers=3))
-        first = grasp.candidates if first is None else first
+        first = grasp.chosen if first is None else first
         problem = SearchProblem(
             contacts=candidates.contacts, fingers=3, reference_point=task.reference_point, wrenches=task.wrenches
         )
         kept = Evaluator(problem).evaluate(first).rho
-        chosen = " ".join(map(str, grasp.candidates.tolist()))
+        chosen = " ".join(map(str, grasp.chosen.tolist()))
         print(f"{friction:8.2f} {grasp.rho:8.4f} {chosen:>12} {kept:16.4f}")
 
 

@@ -47,7 +47,7 @@ def test_a_list_too_long_for_memory_is_refused() -> None:
 
 
 def test_all_searches_agree_with_enumeration_on_a_reduced_case_3(golden_grasp: Grasp) -> None:
-    kept = np.union1d(np.arange(0, 217, 11), golden_grasp.candidates)
+    kept = np.union1d(np.arange(0, 217, 11), golden_grasp.chosen)
     problem = SearchProblem(
         contacts=golden_grasp.certificate.candidates.subset(kept),
         fingers=3,
@@ -60,4 +60,4 @@ def test_all_searches_agree_with_enumeration_on_a_reduced_case_3(golden_grasp: G
         result = search.run(problem)
         assert result.rho == pytest.approx(best.rho, rel=1e-3)
         assert result.lower_bound <= best.rho * (1 + 1e-7)
-        assert kept[result.grasps[0].subset].tolist() == sorted(golden_grasp.candidates.tolist())
+        assert kept[result.grasps[0].subset].tolist() == sorted(golden_grasp.chosen.tolist())

@@ -82,9 +82,9 @@ def test_contacts_that_do_not_keep_their_distances_are_noticed(
 def test_contacts_of_the_wrong_kinds_are_noticed(limited_grasp: Grasp) -> None:
     """Finger 2 on the candidate of the same point that is for the weak kind."""
     count = limited_grasp.certificate.kinds[0].candidates
-    candidates = limited_grasp.candidates + np.array([0, count, 0])
+    candidates = limited_grasp.chosen + np.array([0, count, 0])
     contacts = replace(limited_grasp.contacts, strength=np.array([1.0, 0.5, 0.5]))
-    claims = failures(replace(limited_grasp, candidates=candidates, contacts=contacts))
+    claims = failures(replace(limited_grasp, chosen=candidates, contacts=contacts))
     assert "the contacts are candidates that keep the limits" in claims
 
 
