@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import ContactError
 
 UNIT_TOLERANCE = 1e-6
@@ -31,16 +32,16 @@ class Contacts:
             vectors, friction out of range, or strength that is not positive.
     """
 
-    points: np.ndarray
+    points: Floats
     """Contact points, shape (contacts, d), d = 2 or 3 [m]."""
 
-    normals: np.ndarray
+    normals: Floats
     """Inward unit normals, shape (contacts, d)."""
 
-    friction: np.ndarray
+    friction: Floats
     """Coulomb coefficients, shape (contacts,)."""
 
-    strength: np.ndarray | None = None
+    strength: Floats | None = None
     """See `strengths`; None where all fingers are of strength 1, shape (contacts,)."""
 
     def __post_init__(self) -> None:
@@ -72,11 +73,11 @@ class Contacts:
         return int(self.points.shape[1])
 
     @property
-    def strengths(self) -> np.ndarray:
+    def strengths(self) -> Floats:
         """s_i: at the force level phi, the finger at contact i pushes with |f_i| <= s_i phi; shape (contacts,)."""
         return np.ones(len(self)) if self.strength is None else self.strength
 
-    def subset(self, indices: np.ndarray) -> "Contacts":
+    def subset(self, indices: Indices) -> "Contacts":
         """The contacts at `indices`, shape (m,), in that order."""
         return Contacts(
             points=self.points[indices],
@@ -86,12 +87,12 @@ class Contacts:
         )
 
 
-def possible_friction(friction: np.ndarray) -> np.ndarray:
+def possible_friction(friction: Floats) -> Mask:
     """Which coefficients can be planned with, a mask of the same shape."""
     return np.asarray((friction > 0) & (friction <= MOST_FRICTION))  # false for NaN
 
 
-def reach(points: np.ndarray, reference_point: np.ndarray) -> float:
+def reach(points: Floats, reference_point: Floats) -> float:
     """Largest distance of a point from p_o [m], 1 where all are at p_o: the length that compares moments with forces.
 
     Args:
@@ -101,7 +102,7 @@ def reach(points: np.ndarray, reference_point: np.ndarray) -> float:
     return float(np.linalg.norm(points - reference_point, axis=1).max()) or 1.0
 
 
-def wrench_scale(dimension: int, length: float) -> np.ndarray:
+def wrench_scale(dimension: int, length: float) -> Floats:
     """What makes the moments of a wrench comparable with its forces: 1 for forces, 1 / length for moments, shape (D,).
 
     Args:
@@ -116,7 +117,7 @@ def wrench_dimension(dimension: int) -> int:
     return 3 if dimension == 2 else 6
 
 
-def grasp_maps(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
+def grasp_maps(points: Floats, reference_point: Floats) -> Floats:
     """Grasp map G_i of each contact: a contact force f becomes the wrench G_i f = (f, (p_i - p_o) x f).
 
     Source: Watanabe and Yoshikawa, eq. (2).
@@ -142,7 +143,7 @@ def grasp_maps(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
     return maps
 
 
-def contact_frames(normals: np.ndarray) -> np.ndarray:
+def contact_frames(normals: Floats) -> Floats:
     """Rotation R_BC of each contact frame: columns are the inward normal and its tangents.
 
     Args:

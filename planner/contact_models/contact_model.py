@@ -12,8 +12,7 @@ components mean. d is not k: a finger that can twist has one component more than
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
-import numpy as np
-
+from planner.arrays import Floats
 from planner.contacts import Contacts
 
 
@@ -31,15 +30,15 @@ class ContactModel(ABC):
         """k in a space of dimension d."""
 
     @abstractmethod
-    def maps(self, contacts: Contacts, reference_point: np.ndarray) -> np.ndarray:
+    def maps(self, contacts: Contacts, reference_point: Floats) -> Floats:
         """G_i from components over strengths to wrenches about p_o, shape (n, D, k)."""
 
     @abstractmethod
-    def forces(self, contacts: Contacts, components: np.ndarray) -> np.ndarray:
+    def forces(self, contacts: Contacts, components: Floats) -> Floats:
         """Forces in the body frame, shape (..., m, d) [N], of components over strengths, shape (..., m, k) [N]."""
 
     @abstractmethod
-    def support(self, velocities: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    def support(self, velocities: Floats, friction: Floats) -> Floats:
         """h(v) = max { v.x : x in K, |(x_1, ..., x_d)| <= 1 }, shape (...).
 
         Args:
@@ -49,7 +48,7 @@ class ContactModel(ABC):
 
     @staticmethod
     @abstractmethod
-    def capacities(maps: np.ndarray, friction: np.ndarray, direction: np.ndarray, values: np.ndarray) -> None:
+    def capacities(maps: Floats, friction: Floats, direction: Floats, values: Floats) -> None:
         """The same for G_i' lambda of many contacts in plain loops, written into `values`: the search compiles it.
 
         Args:
@@ -60,7 +59,7 @@ class ContactModel(ABC):
         """
 
     @abstractmethod
-    def excess(self, forces: np.ndarray, contacts: Contacts) -> np.ndarray:
+    def excess(self, forces: Floats, contacts: Contacts) -> Floats:
         """How far each force lies outside its friction cone, negative inside, shape (..., m) [N].
 
         Args:

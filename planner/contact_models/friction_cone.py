@@ -6,8 +6,10 @@ serve both the plane and space. Source: Watanabe and Yoshikawa, eq. (3).
 
 import numpy as np
 
+from planner.arrays import Floats
 
-def components(vectors: np.ndarray, normals: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+
+def components(vectors: Floats, normals: Floats) -> tuple[Floats, Floats]:
     """Normal component v_n (signed) and length |v_t| of the tangential part.
 
     Args:
@@ -22,7 +24,7 @@ def components(vectors: np.ndarray, normals: np.ndarray) -> tuple[np.ndarray, np
     return normal, np.sqrt((tangential * tangential).sum(axis=-1))
 
 
-def support(vectors: np.ndarray, normals: np.ndarray, friction: np.ndarray) -> np.ndarray:
+def support(vectors: Floats, normals: Floats, friction: Floats) -> Floats:
     """Support function of the capped cone: h(v) = max { v.f : f in K, |f| <= 1 } = |Proj_K(v)|.
 
     Inside the cone the projection is v itself; between the cone and its polar it is the foot on the
@@ -42,7 +44,7 @@ def support(vectors: np.ndarray, normals: np.ndarray, friction: np.ndarray) -> n
     return np.where(tangential <= friction * normal, length, np.maximum(foot, 0.0))
 
 
-def utilisation(forces: np.ndarray, normals: np.ndarray) -> np.ndarray:
+def utilisation(forces: Floats, normals: Floats) -> Floats:
     """Friction utilisation |f_t| / f_n: the smallest mu whose cone holds each force.
 
     Args:

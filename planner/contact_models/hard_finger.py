@@ -9,6 +9,7 @@ from math import hypot, sqrt
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models import friction_cone
 from planner.contact_models.contact_model import ContactModel
 from planner.contacts import Contacts, contact_frames, grasp_maps
@@ -24,22 +25,22 @@ class HardFinger(ContactModel):
         """k = d."""
         return dimension
 
-    def maps(self, contacts: Contacts, reference_point: np.ndarray) -> np.ndarray:
+    def maps(self, contacts: Contacts, reference_point: Floats) -> Floats:
         """G_i R_i s_i, shape (n, D, d)."""
         maps = grasp_maps(contacts.points, reference_point) @ contact_frames(contacts.normals)
         return np.ascontiguousarray(maps * contacts.strengths[:, None, None])
 
-    def forces(self, contacts: Contacts, components: np.ndarray) -> np.ndarray:
+    def forces(self, contacts: Contacts, components: Floats) -> Floats:
         """R_i s_i x_i, shape (..., m, d) [N]."""
         frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
         return np.einsum("ide,...ie->...id", frames, components)
 
-    def support(self, velocities: np.ndarray, friction: np.ndarray) -> np.ndarray:
+    def support(self, velocities: Floats, friction: Floats) -> Floats:
         """|Proj_K(v)|, shape (...)."""
         return friction_cone.support(velocities, np.eye(velocities.shape[-1])[0], friction)
 
     @staticmethod
-    def capacities(maps: np.ndarray, friction: np.ndarray, direction: np.ndarray, values: np.ndarray) -> None:
+    def capacities(maps: Floats, friction: Floats, direction: Floats, values: Floats) -> None:
         """See `ContactModel.capacities`; `support` is its slow twin."""
         count, size, components = maps.shape
         for i in range(count):
@@ -58,7 +59,7 @@ class HardFinger(ContactModel):
             else:
                 values[i] = max(0.0, (along + friction[i] * across) / sqrt(1 + friction[i] * friction[i]))
 
-    def excess(self, forces: np.ndarray, contacts: Contacts) -> np.ndarray:
+    def excess(self, forces: Floats, contacts: Contacts) -> Floats:
         """max(|f_t| - mu f_n, -f_n), shape (..., m) [N]."""
         along, across = friction_cone.components(forces, contacts.normals)
         return np.maximum(across - contacts.friction * along, -along)

@@ -14,6 +14,7 @@ import clarabel
 import numpy as np
 from scipy import sparse
 
+from planner.arrays import Floats, Indices
 from planner.contact_models.contact_model import ContactModel
 from planner.contacts import wrench_dimension, wrench_scale
 
@@ -25,13 +26,13 @@ INFEASIBLE = (clarabel.SolverStatus.PrimalInfeasible, clarabel.SolverStatus.Almo
 class Criterion:
     """What is minimised: x.P x / 2 + q.x, and the rows and cones that this needs beside those of the contacts."""
 
-    quadratic: np.ndarray
+    quadratic: Floats
     """P, shape (variables, variables)."""
 
-    linear: np.ndarray
+    linear: Floats
     """q, shape (variables,); the first m k variables are the components."""
 
-    rows: np.ndarray
+    rows: Floats
     """Further rows of A, shape (rows, variables); their b is zero."""
 
     cones: list[object]
@@ -68,8 +69,8 @@ class ContactProgram:
         self._solver: clarabel.DefaultSolver | None = None
 
     def solve(
-        self, maps: np.ndarray, friction: np.ndarray, wrench: np.ndarray, length: float
-    ) -> tuple[np.ndarray, np.ndarray, clarabel.SolverStatus]:
+        self, maps: Floats, friction: Floats, wrench: Floats, length: float
+    ) -> tuple[Floats, Floats, clarabel.SolverStatus]:
         """Solve one problem.
 
         Args:
@@ -111,7 +112,7 @@ class ContactProgram:
             self._solver.update(A=self._data.data, b=self._bounds)
         return self._solver.solve()
 
-    def _pattern(self, further: np.ndarray) -> tuple[sparse.csc_matrix, np.ndarray, np.ndarray]:
+    def _pattern(self, further: Floats) -> tuple[sparse.csc_matrix, Indices, Indices]:
         """Constraint matrix A in CSC form and the positions, in its data, of balance and friction entries."""
         rows, k = self._balance_rows, self._components
         forces = self.fingers * k

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension, wrench_scale
 from planner.errors import SolverError
 from planner.forces.problem import ForceProblem, ForceSolution
@@ -50,7 +51,7 @@ class CvxpyForces(ABC):
         self._solver_error: type[Exception] = cp.SolverError
 
     @abstractmethod
-    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+    def tangent_map(self, normal: Floats) -> Floats:
         """T with |T f| the tangential force at a contact of this normal, shape (k, d)."""
 
     @abstractmethod
@@ -110,7 +111,7 @@ class CvxpyForces(ABC):
         return status.startswith("optimal")
 
 
-def _wrench_map(arm: np.ndarray) -> np.ndarray:
+def _wrench_map(arm: Floats) -> Floats:
     """(I; [r]x): a force f at the arm r is the wrench (f, r x f), shape (D, d); derived here, not as the search does.
 
     Column k is the wrench of the unit force along axis k.

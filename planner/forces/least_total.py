@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contacts import Contacts
 from planner.errors import SolverError
@@ -36,7 +37,7 @@ class LeastTotalForces:
         )
         self._program = ContactProgram(fingers, dimension, HARD_FINGER, criterion)
 
-    def solve(self, problem: ForceProblem) -> tuple[np.ndarray, float]:
+    def solve(self, problem: ForceProblem) -> tuple[Floats, float]:
         """Forces of least total that balance one wrench.
 
         Args:
@@ -62,7 +63,7 @@ class LeastTotalForces:
         return HARD_FINGER.forces(alike, forces), total
 
 
-def largest_least_total(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> float:
+def largest_least_total(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> float:
     """The tie-break criterion of one combination: of two with the same rho, the paper prefers the smaller value.
 
     Args:

@@ -8,6 +8,7 @@ Source: Watanabe and Yoshikawa, eq. (7).
 import clarabel
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.contact_model import ContactModel
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.errors import SolverError
@@ -71,8 +72,8 @@ class MinimaxForces:
         return solution
 
     def solve_arrays(
-        self, maps: np.ndarray, friction: np.ndarray, wrench: np.ndarray, length: float
-    ) -> tuple[np.ndarray, float, np.ndarray]:
+        self, maps: Floats, friction: Floats, wrench: Floats, length: float
+    ) -> tuple[Floats, float, Floats]:
         """The same on bare arrays, for callers that keep grasp maps of many contacts.
 
         Args:

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.models import model_of
 from planner.contacts import Contacts, grasp_maps, reach, wrench_scale
 
@@ -27,10 +28,10 @@ class ForceProblem:
     contacts: Contacts
     """The grasp, in the body frame."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, shape (d,) [m]."""
 
-    wrench: np.ndarray
+    wrench: Floats
     """External wrench w about p_o, shape (D,) [N, N m]."""
 
     @property
@@ -48,13 +49,13 @@ class ForceSolution:
     feasible: bool
     """Whether some force in the cones balances the wrench."""
 
-    forces: np.ndarray
+    forces: Floats
     """Contact forces in the body frame, shape (contacts, d) [N]; NaN where infeasible."""
 
     phi: float
     """The force level max_i |f_i| / s_i [N]; infinite where infeasible."""
 
-    direction: np.ndarray
+    direction: Floats
     """lambda, shape (D,): dual optimum, or infeasibility certificate; any positive scale."""
 
     def balance_residual(self) -> float:

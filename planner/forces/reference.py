@@ -9,13 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.forces.cvxpy_forces import CvxpyForces
 
 
 class ReferenceForces(CvxpyForces):
     """Subproblem 2 with norms."""
 
-    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+    def tangent_map(self, normal: Floats) -> Floats:
         """I - n n^T, shape (d, d)."""
         return np.eye(len(normal)) - np.outer(normal, normal)
 

@@ -18,6 +18,7 @@ import highspy
 import numpy as np
 from scipy import sparse
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames, wrench_dimension
 from planner.forces.quiet_highs import QuietHighs
 
@@ -37,7 +38,7 @@ OPTIONS = {
 }
 
 
-def cone_edges(normals: np.ndarray, friction: np.ndarray, sides: int = SIDES) -> np.ndarray:
+def cone_edges(normals: Floats, friction: Floats, sides: int = SIDES) -> Floats:
     """V_i: unit edges of the polyhedral cone circumscribed about each friction cone.
 
     The cone's cross-section at unit height is a regular L-gon whose flats touch the circle of radius mu.
@@ -62,7 +63,7 @@ def cone_edges(normals: np.ndarray, friction: np.ndarray, sides: int = SIDES) ->
     return contact_frames(normals) @ edges
 
 
-def edge_columns(maps: np.ndarray, edges: np.ndarray, length: float) -> np.ndarray:
+def edge_columns(maps: Floats, edges: Floats, length: float) -> Floats:
     """What a unit of force along each edge does: its wrench G_i v, moments divided by `length`, then v itself.
 
     Args:
@@ -111,7 +112,7 @@ class RelaxedForces:
         for option, value in OPTIONS.items():
             self._solver.setOptionValue(option, value)
 
-    def solve_arrays(self, maps: np.ndarray, edges: np.ndarray, wrench: np.ndarray, length: float) -> float:
+    def solve_arrays(self, maps: Floats, edges: Floats, wrench: Floats, length: float) -> float:
         """phi of the Relaxed Problem [N]; infinite where it has no solution, 0 where HiGHS finds no answer.
 
         Args:
@@ -122,7 +123,7 @@ class RelaxedForces:
         """
         return self.solve_columns(edge_columns(maps, edges, length), wrench, length)
 
-    def solve_columns(self, columns: np.ndarray, wrench: np.ndarray, length: float) -> float:
+    def solve_columns(self, columns: Floats, wrench: Floats, length: float) -> float:
         """The same, for callers that keep the columns of many contacts: a third less time.
 
         Args:

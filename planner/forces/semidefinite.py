@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 from planner.forces.cvxpy_forces import CvxpyForces
 
@@ -21,7 +22,7 @@ from planner.forces.cvxpy_forces import CvxpyForces
 class SemidefiniteForces(CvxpyForces):
     """Subproblem 2 with linear matrix inequalities."""
 
-    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+    def tangent_map(self, normal: Floats) -> Floats:
         """(t_1, t_2), in the plane t_1 alone: the tangents of the contact frame, shape (d - 1, d)."""
         return contact_frames(normal[None])[0, :, 1:].T
 

@@ -26,6 +26,7 @@ import numpy as np
 from scipy import sparse
 from scipy.linalg import null_space
 
+from planner.arrays import Floats
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contacts import Contacts, contact_frames, reach, wrench_scale
 from planner.errors import ContactError, SolverError
@@ -45,10 +46,10 @@ class SqueezeNeed:
     """Largest contact force of any finger under any wrench, as small as constant preloads allow [N]; infinite if no
     preload holds every wrench."""
 
-    preload: np.ndarray
+    preload: Floats
     """Constant push p_i of each finger, an internal force, shape (contacts, d) [N]; NaN if there is none."""
 
-    forces: np.ndarray
+    forces: Floats
     """Contact forces f_i(w) under each wrench, shape (wrenches, contacts, d) [N]; NaN if there are none."""
 
     @property
@@ -57,7 +58,7 @@ class SqueezeNeed:
         return bool(np.isfinite(self.squeeze_force))
 
 
-def squeeze_need(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> SqueezeNeed:
+def squeeze_need(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> SqueezeNeed:
     """Least largest force of a constant preload with equal springs.
 
     Args:
@@ -95,12 +96,12 @@ def squeeze_need(contacts: Contacts, reference_point: np.ndarray, wrenches: np.n
     return SqueezeNeed(squeeze_force=float(largest), preload=preload, forces=forces)
 
 
-def _impossible(wrenches: np.ndarray, contacts: Contacts) -> SqueezeNeed:
+def _impossible(wrenches: Floats, contacts: Contacts) -> SqueezeNeed:
     nowhere = np.full((len(wrenches), *contacts.points.shape), np.nan)
     return SqueezeNeed(squeeze_force=np.inf, preload=nowhere[0], forces=nowhere)
 
 
-def _least_weights(internal: np.ndarray, responses: np.ndarray, friction: np.ndarray) -> np.ndarray | None:
+def _least_weights(internal: Floats, responses: Floats, friction: Floats) -> Floats | None:
     """Weights z of the internal forces, p = N z, with the least largest force; None if there are none.
 
     Few wrenches bind. The program is solved for some of them; those that its answer serves worst join, finger by
@@ -130,7 +131,7 @@ def _least_weights(internal: np.ndarray, responses: np.ndarray, friction: np.nda
     return weights
 
 
-def _solve(internal: np.ndarray, responses: np.ndarray, friction: np.ndarray) -> tuple[np.ndarray, float] | None:
+def _solve(internal: Floats, responses: Floats, friction: Floats) -> tuple[Floats, float] | None:
     """Weights and the largest force for these wrenches alone; None if there are none.
 
     Clarabel's form A x + s = b with x = (z, cap); per wrench and finger the slack s is (mu f_n, f_t) in a

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contact_models.models import free_to_turn
 from planner.search.constraints.constraint import Constraints
 from planner.search.constraints.distinct import Distinct
@@ -55,10 +56,10 @@ class Before:
     began: float = field(default_factory=time.perf_counter)
     """When the clock of the log and the time limit started, `time.perf_counter()` [s]."""
 
-    subsets: Sequence[np.ndarray] = ()
+    subsets: Sequence[Indices] = ()
     """Subsets that are not wanted again, nor any like them, shape (m,) each."""
 
-    cuts: Sequence[np.ndarray] = ()
+    cuts: Sequence[Floats] = ()
     """Cuts that are known, shape (D,) each."""
 
 
@@ -158,7 +159,7 @@ class BranchAndBound:
         self.frontier.pop(1)
         return self.proven_status()
 
-    def settle(self, subsets: np.ndarray) -> None:
+    def settle(self, subsets: Indices) -> None:
         """Prune what the cuts of now prune of some subsets, shape (subsets, m), and evaluate the others, best first."""
         for first in range(0, len(subsets), BATCH):
             some = subsets[first : first + BATCH]
@@ -193,7 +194,7 @@ class BranchAndBound:
             self.climb(self.climb(subset, few))
             self.log_if_due()
 
-    def climb(self, subset: np.ndarray, among: np.ndarray | None = None) -> np.ndarray:
+    def climb(self, subset: Indices, among: Indices | None = None) -> Indices:
         """Local search from a subset, near it or among the given candidates; returns where it ended."""
         return improve(self.evaluator, self.cuts, subset, self.incumbents, self.ends, among)
 
@@ -234,11 +235,11 @@ class BranchAndBound:
         self.useful.update(np.unique(rows.cuts[~open_]).tolist())
         return rows[open_]
 
-    def remember(self, pruned: np.ndarray) -> None:
+    def remember(self, pruned: Floats) -> None:
         """Let the proven bound say no more than these bounds on 1 / rho do."""
         self.pruned_bound = max(self.pruned_bound, float(pruned.max(initial=0.0)))
 
-    def evaluate(self, subset: np.ndarray) -> None:
+    def evaluate(self, subset: Indices) -> None:
         """Decide a single subset: pruned by a cut, or evaluated and offered to the incumbents."""
         if self.cuts.bound(subset)[0] > self.threshold and subset not in self.incumbents:
             wanted = evaluate_below(self.evaluator, self.cuts, subset, self.incumbents.level, self.ends)

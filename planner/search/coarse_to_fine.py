@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.candidates.farthest import farthest_points
 from planner.contacts import Contacts
 from planner.errors import SettingError
@@ -84,14 +85,14 @@ class CoarseToFine:
             trace=tuple(trace),
         )
 
-    def near(self, problem: SearchProblem, subset: np.ndarray) -> np.ndarray:
+    def near(self, problem: SearchProblem, subset: Indices) -> Indices:
         """Candidates within the radius of the contacts of a grasp."""
         points = problem.contacts.points
         distances = np.linalg.norm(points[:, None] - points[subset], axis=2).min(axis=1)
         return np.flatnonzero(distances <= self.radius * problem.length)
 
 
-def spread(contacts: Contacts, count: int) -> np.ndarray:
+def spread(contacts: Contacts, count: int) -> Indices:
     """Indices of `count` contacts far from each other, sorted; all if there are fewer."""
     points = np.zeros((len(contacts), 3))
     points[:, : contacts.dimension] = contacts.points

@@ -11,6 +11,7 @@ but the bound holds whatever their source.
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.search.compiled.capacities import compiled_capacities
 from planner.search.problem import SearchProblem
 
@@ -33,21 +34,21 @@ class CutTable:
         return self._count
 
     @property
-    def directions(self) -> np.ndarray:
+    def directions(self) -> Floats:
         """lambda of each cut, scaled so that c(lambda) = 1, shape (cuts, D)."""
         return self._directions[: self._count]
 
     @property
-    def values(self) -> np.ndarray:
+    def values(self) -> Floats:
         """a_i(lambda_k), shape (n, cuts) [1/N]."""
         return self._values[:, : self._count]
 
     @property
-    def loads(self) -> np.ndarray:
+    def loads(self) -> Floats:
         """-lambda_k . w_j, at most 1, shape (cuts, l)."""
         return self._loads[: self._count]
 
-    def add(self, direction: np.ndarray) -> bool:
+    def add(self, direction: Floats) -> bool:
         """Add the cut of a direction, shape (D,); returns False where c(lambda) <= 0: it bounds nothing."""
         loads = -self.problem.wrenches @ direction
         load = loads.max()
@@ -60,27 +61,27 @@ class CutTable:
         self._count += 1
         return True
 
-    def add_if_below(self, direction: np.ndarray, subset: np.ndarray, bound: float) -> bool:
+    def add_if_below(self, direction: Floats, subset: Indices, bound: float) -> bool:
         """Add the cut of a direction if it bounds 1 / rho of the subset, shape (m,), below `bound` [1/N]."""
         load = (-self.problem.wrenches @ direction).max()
         if not load > 0 or not self._capacities(subset, direction).sum() < bound * load:
             return False
         return self.add(direction)
 
-    def bound(self, subset: np.ndarray) -> tuple[float, int]:
+    def bound(self, subset: Indices) -> tuple[float, int]:
         """Best upper bound on 1 / rho of a subset, shape (m,) [1/N], and the cut that gives it."""
         sums = self.values[subset].sum(axis=0)
         cut = int(sums.argmin())
         return float(sums[cut]), cut
 
-    def bounds(self, subsets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def bounds(self, subsets: Indices) -> tuple[Floats, Indices]:
         """The same of many subsets, shape (subsets, m): their bounds and the cuts, shape (subsets,) each."""
         sums = self.values[subsets[:, 0]]
         for candidates in subsets[:, 1:].T:
             sums += self.values[candidates]
         return sums.min(axis=1), sums.argmin(axis=1)
 
-    def dangerous_cases(self, subset: np.ndarray) -> np.ndarray:
+    def dangerous_cases(self, subset: Indices) -> Indices:
         """All cases, those first that the cuts call most demanding for this subset, shape (cases,).
 
         Without position error a case is a vertex of W_R. With it, every vertex comes first with the shifts at which the
@@ -95,7 +96,7 @@ class CutTable:
         first = np.ravel_multi_index(np.argmin(shifts, axis=0), shape) * len(problem.wrenches) + vertices
         return np.concatenate([first, np.setdiff1d(np.arange(problem.cases), first)])
 
-    def dangerous_vertices(self, subset: np.ndarray, sharpest: int = 64) -> np.ndarray:
+    def dangerous_vertices(self, subset: Indices, sharpest: int = 64) -> Indices:
         """Vertices of W_R, the one the cuts call most demanding for this subset first, shape (l,).
 
         phi_N(w_j) >= -lambda_k . w_j / sum_{i in N} h_i(lambda_k), over the `sharpest` cuts for this subset.
@@ -108,12 +109,12 @@ class CutTable:
         floor = np.finfo(float).tiny
         return np.argsort(-(loads / np.maximum(sums, floor)[:, None]).max(axis=0), kind="stable")
 
-    def _capacities(self, which: np.ndarray | slice, direction: np.ndarray) -> np.ndarray:
+    def _capacities(self, which: Indices | slice, direction: Floats) -> Floats:
         """h_i(lambda) of some candidates; with position error the least of all shifts."""
         friction = self.problem.contacts.friction[which]
         return np.min([self._of(maps[which], friction, direction) for maps in self.problem.shifted_maps], axis=0)
 
-    def _of(self, maps: np.ndarray, friction: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    def _of(self, maps: Floats, friction: Floats, direction: Floats) -> Floats:
         values = np.empty(len(maps))
         self._capacities_of(maps, friction, direction, values)
         return values

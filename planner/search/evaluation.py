@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.forces.minimax import MinimaxForces
 from planner.search.problem import SearchProblem
 
@@ -15,13 +16,13 @@ Solution = tuple[np.ndarray, float, np.ndarray]
 class Evaluation:
     """rho of one subset with the forces that achieve it."""
 
-    subset: np.ndarray
+    subset: Indices
     """Candidate indices, shape (m,)."""
 
-    phi: np.ndarray
+    phi: Floats
     """phi_N(w_j), the least force level max_i |f_i| / s_i, shape (l,) [N]; infinite where no force balances w_j."""
 
-    forces: np.ndarray
+    forces: Floats
     """Contact forces in the body frame, shape (l, m, d) [N]; NaN where infeasible."""
 
     @property
@@ -43,7 +44,7 @@ class Evaluator:
         self.solves = 0
         self._solver = MinimaxForces(problem.fingers, problem.contacts.dimension, problem.model)
 
-    def solve(self, subset: np.ndarray, case: int) -> Solution:
+    def solve(self, subset: Indices, case: int) -> Solution:
         """Subproblem 2 for one subset, shape (m,), and one case: a vertex of W_R and a shift of each finger."""
         problem = self.problem
         self.solves += 1
@@ -55,7 +56,7 @@ class Evaluator:
             problem.length,
         )
 
-    def shifts_and_vertex(self, case: int) -> tuple[np.ndarray, int]:
+    def shifts_and_vertex(self, case: int) -> tuple[Indices, int]:
         """The shift of each finger, shape (m,), and the vertex of W_R of a case; without position error case = vertex.
 
         Cases count the vertices fastest, then the shifts of the last finger.
@@ -64,11 +65,11 @@ class Evaluator:
         shape = (len(self.problem.shifted_maps),) * self.problem.fingers
         return np.array(np.unravel_index(combination, shape)), vertex
 
-    def evaluate(self, subset: np.ndarray) -> Evaluation:
+    def evaluate(self, subset: Indices) -> Evaluation:
         """Subproblem 1: all cases at full accuracy."""
         return self.collect(subset, [self.solve(subset, case) for case in range(self.problem.cases)])
 
-    def collect(self, subset: np.ndarray, solutions: list[Solution]) -> Evaluation:
+    def collect(self, subset: Indices, solutions: list[Solution]) -> Evaluation:
         """The evaluation made of one solution per case, in order; of each vertex the worst shifts count."""
         contacts = self.problem.fingertips.subset(subset)
         phi = np.array([phi for _, phi, _ in solutions]).reshape(-1, len(self.problem.wrenches))

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.search.evaluation import Evaluation
 
 SOLVER_ACCURACY = 1e-6
@@ -26,7 +27,7 @@ class Incumbents:
         gap: float,
         keep: int,
         within: float | None,
-        admits: Callable[[np.ndarray], bool] = lambda _: True,
+        admits: Callable[[Indices], bool] = lambda _: True,
     ) -> None:
         """
         Args:
@@ -41,7 +42,7 @@ class Incumbents:
         self._ceiling, self._gap, self._keep, self._within = ceiling, gap, keep, within
         self._grasps: dict[tuple[int, ...], Evaluation] = {}
 
-    def __contains__(self, subset: np.ndarray) -> bool:
+    def __contains__(self, subset: Indices) -> bool:
         return tuple(subset.tolist()) in self._grasps
 
     @property

@@ -6,11 +6,12 @@ cut with a_i = 0 for every candidate: it proves every subset infeasible at once.
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.forces.minimax import MinimaxForces
 from planner.search.problem import SearchProblem
 
 
-def impossible_direction(problem: SearchProblem) -> np.ndarray | None:
+def impossible_direction(problem: SearchProblem) -> Floats | None:
     """A direction lambda that all candidates together cannot push along, though W_R asks for it.
 
     Returns:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.contacts import wrench_scale
 from planner.search.compiled.swaps import best_partner
 from planner.search.cuts import CutTable
@@ -43,7 +44,7 @@ def add_vertex_cuts(cuts: CutTable) -> None:
         cuts.add(-scale * wrench)
 
 
-def climb(cuts: CutTable, subset: np.ndarray, among: np.ndarray) -> np.ndarray:
+def climb(cuts: CutTable, subset: Indices, among: Indices) -> Indices:
     """Swap one candidate at a time while the bound of the table grows.
 
     Args:
@@ -66,7 +67,7 @@ def climb(cuts: CutTable, subset: np.ndarray, among: np.ndarray) -> np.ndarray:
     return np.sort(subset)
 
 
-def best_swap(cuts: CutTable, subset: np.ndarray, slot: int, among: np.ndarray, least: float) -> tuple[int, float]:
+def best_swap(cuts: CutTable, subset: Indices, slot: int, among: Indices, least: float) -> tuple[int, float]:
     """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1."""
     problem = cuts.problem
     others = np.concatenate([subset[:slot], subset[slot + 1 :]])
@@ -75,7 +76,7 @@ def best_swap(cuts: CutTable, subset: np.ndarray, slot: int, among: np.ndarray, 
     return best_partner(cuts.values, others, among, least)
 
 
-def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:
+def near(problem: SearchProblem, subset: Indices) -> Indices:
     """The NEIGHBOURS candidates closest to any of a subset's contacts; all if there are no more."""
     points = problem.contacts.points
     if len(points) <= NEIGHBOURS:
@@ -84,7 +85,7 @@ def near(problem: SearchProblem, subset: np.ndarray) -> np.ndarray:
     return np.argpartition(squares, NEIGHBOURS)[:NEIGHBOURS]
 
 
-def random_subset(problem: SearchProblem, generator: np.random.Generator) -> np.ndarray | None:
+def random_subset(problem: SearchProblem, generator: np.random.Generator) -> Indices | None:
     """A random subset with the right kinds of fingers, spacing and span, shape (m,); None if none was met."""
     for _ in range(DRAWS):
         chosen = np.empty(0, dtype=np.int64)
@@ -101,11 +102,11 @@ def random_subset(problem: SearchProblem, generator: np.random.Generator) -> np.
 def improve(
     evaluator: Evaluator,
     cuts: CutTable,
-    subset: np.ndarray,
+    subset: Indices,
     incumbents: Incumbents,
     stop: Callable[[], bool],
-    among: np.ndarray | None = None,
-) -> np.ndarray:
+    among: Indices | None = None,
+) -> Indices:
     """Climb from a subset until the table cannot beat the best grasp nearby; better ones are offered on the way.
 
     Args:
@@ -137,7 +138,7 @@ def improve(
     return subset
 
 
-def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
+def sharpen(evaluator: Evaluator, cuts: CutTable, subset: Indices) -> bool:
     """Solve the few most dangerous cases; returns whether one lowered the subset's bound noticeably."""
     bound = cuts.bound(subset)[0]
     for case in cuts.dangerous_cases(subset)[:PROBES]:
@@ -148,7 +149,7 @@ def sharpen(evaluator: Evaluator, cuts: CutTable, subset: np.ndarray) -> bool:
 
 
 def evaluate_below(
-    evaluator: Evaluator, cuts: CutTable, subset: np.ndarray, level: float, stop: Callable[[], bool] = lambda: False
+    evaluator: Evaluator, cuts: CutTable, subset: Indices, level: float, stop: Callable[[], bool] = lambda: False
 ) -> Evaluation | None:
     """Evaluate a subset only as far as needed to know whether its rho is below `level`.
 

@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contacts import grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.relaxation import RelaxedForces, cone_edges, edge_columns
@@ -37,7 +38,7 @@ class LowerBounds:
         self._columns = edge_columns(maps, edges, problem.length)
         self._thread = threading.local()
 
-    def solve(self, subsets: np.ndarray, vertex: int) -> np.ndarray:
+    def solve(self, subsets: Indices, vertex: int) -> Floats:
         """phi of the bounding problem at one vertex of W_R for each combination.
 
         Args:
@@ -52,12 +53,12 @@ class LowerBounds:
             solved = list(pool.map(lambda chunk: self._solve_chunk(chunk, self._problem.wrenches[vertex]), chunks))
         return np.concatenate([np.empty(0), *solved])
 
-    def _solve_chunk(self, subsets: np.ndarray, wrench: np.ndarray) -> np.ndarray:
+    def _solve_chunk(self, subsets: Indices, wrench: Floats) -> Floats:
         if not hasattr(self._thread, "phi"):
             self._thread.phi = self._solver()
         return np.array([self._thread.phi(subset, wrench) for subset in subsets])
 
-    def _solver(self) -> Callable[[np.ndarray, np.ndarray], float]:
+    def _solver(self) -> Callable[[Floats, Floats], float]:
         """phi of one combination and one wrench; each thread has its own."""
         problem, columns = self._problem, self._columns
         shape = problem.fingers, problem.contacts.dimension

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.contact_models.models import free_to_turn
 from planner.search.branch_and_bound import BATCH
 from planner.search.constraints.spacing import Spacing
@@ -26,7 +27,7 @@ ROUNDING = 1e-10
 """Relative slack for the rounding of a sum of a few numbers; `planner.verification` allows ten times as much."""
 
 
-def minimal_cuts(result: SearchResult, stop: Callable[[], bool] = lambda: False) -> np.ndarray:
+def minimal_cuts(result: SearchResult, stop: Callable[[], bool] = lambda: False) -> Floats:
     """The directions of a result that already prove its lower bound; all of them where choosing takes too long.
 
     Args:
@@ -87,13 +88,13 @@ class _Walk:
             self.frontier.push(split(rows[left], self.tree))
         return True
 
-    def pruned(self, cuts: CutTable, subsets: BoundedRows) -> np.ndarray:
+    def pruned(self, cuts: CutTable, subsets: BoundedRows) -> Mask:
         """Which cuts prune which rows of single candidates, in float64, shape (rows, cuts)."""
         sums = cuts.values[self.tree.order[self.tree.start[subsets.nodes]]].sum(axis=1)
         return np.asarray(sums <= self.threshold * (1 + ROUNDING))
 
 
-def greedy_cover(prunes: np.ndarray) -> list[int]:
+def greedy_cover(prunes: Mask) -> list[int]:
     """Few columns that together hold a True in every row that has one.
 
     Args:

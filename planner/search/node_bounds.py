@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from scipy.cluster.hierarchy import leaves_list, ward
 
+from planner.arrays import Indices, Mask, Singles
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
 from planner.search.regions.bounded_rows import BoundedRows
@@ -103,7 +104,7 @@ class NodeBounds:
         bounds[better], cuts[better] = lowered[better], self._cut_of_column[columns[better]]
         return BoundedRows(nodes=rows.nodes, bounds=bounds, cuts=cuts)
 
-    def prunes(self, rows: np.ndarray, threshold: float) -> np.ndarray:
+    def prunes(self, rows: Indices, threshold: float) -> Mask:
         """Which cuts prune which rows, shape (rows, cuts).
 
         Args:
@@ -125,6 +126,6 @@ def _shares(count: int) -> list[slice]:
     return [slice(first, first + size) for first in range(0, count, size)]
 
 
-def _doubled(table: np.ndarray) -> np.ndarray:
+def _doubled(table: Singles) -> Singles:
     """A table of twice as many columns, the new ones empty."""
     return np.hstack([table, np.full_like(table, NO_BOUND)])

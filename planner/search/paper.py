@@ -22,6 +22,7 @@ from math import comb
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import CandidateError
 from planner.forces.relaxation import SIDES
 from planner.search.evaluation import Evaluation, Evaluator
@@ -102,7 +103,7 @@ class _Run:
                 return
         self.keep(np.zeros(len(self.list), dtype=bool))
 
-    def bound_all(self) -> np.ndarray:
+    def bound_all(self) -> Floats:
         """Step 4: bound every N in LIST at w_hat, eliminate what is infeasible or worse than rho_hat."""
         relaxed = self.lower_bounds.solve(self.list, self.vertex)
         np.maximum(self.bound, relaxed, out=self.bound)
@@ -111,7 +112,7 @@ class _Run:
         self.log()
         return relaxed[alive]
 
-    def solve_most_promising(self, relaxed: np.ndarray) -> None:
+    def solve_most_promising(self, relaxed: Floats) -> None:
         """Steps 5 and 6: solve exactly the N of least relaxed phi, the next one as long as they do not improve."""
         alive = np.ones(len(self.list), dtype=bool)
         for index in np.argsort(relaxed, kind="stable"):
@@ -127,7 +128,7 @@ class _Run:
         """Step 7: rho_hat - rho_hat_N < epsilon for all N in LIST."""
         return bool(self.close_enough(self.bound).all())
 
-    def close_enough(self, bound: np.ndarray | float) -> np.ndarray:
+    def close_enough(self, bound: Floats | float) -> Mask:
         return np.asarray(bound) > self.rho * (1 - self.method.epsilon)
 
     def solve(self, index: int) -> bool:
@@ -143,7 +144,7 @@ class _Run:
             self.best = evaluation
         return True
 
-    def evaluate(self, subset: np.ndarray) -> Evaluation | None:
+    def evaluate(self, subset: Indices) -> Evaluation | None:
         """All vertices of one N, w_hat first; None as soon as one is infeasible."""
         vertices = np.roll(np.arange(len(self.problem.wrenches)), -self.vertex)
         solutions = {}
@@ -153,7 +154,7 @@ class _Run:
                 return None
         return self.evaluator.collect(subset, [solutions[vertex] for vertex in sorted(solutions)])
 
-    def keep(self, alive: np.ndarray) -> None:
+    def keep(self, alive: Mask) -> None:
         """Eliminate from LIST."""
         self.list, self.bound = self.list[alive], self.bound[alive]
 
@@ -184,7 +185,7 @@ class _Run:
         )
 
 
-def all_subsets(count: int, size: int) -> np.ndarray:
+def all_subsets(count: int, size: int) -> Indices:
     """All combinations of `size` of `count` numbers, shape (C(count, size), size), streamed into one array."""
     members = chain.from_iterable(combinations(range(count), size))
     return np.fromiter(members, dtype=np.int32, count=size * comb(count, size)).reshape(-1, size)

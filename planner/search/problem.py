@@ -9,6 +9,7 @@ from math import comb, prod
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.contact_models.contact_model import ContactModel
 from planner.contact_models.models import model_of
 from planner.contacts import Contacts, contact_frames, reach, wrench_dimension, wrench_scale
@@ -42,10 +43,10 @@ class SearchProblem:
     fingers: int
     """Number of contacts to choose, m."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, about which moments are taken, shape (d,) [m]."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Vertices of W_R, shape (l, D) [N, N m]."""
 
     kinds: tuple[FingerKind, ...] = ()
@@ -115,17 +116,17 @@ class SearchProblem:
         return self.kinds or (FingerKind(fingers=self.fingers, candidates=len(self.contacts)),)
 
     @property
-    def kind_of_finger(self) -> np.ndarray:
+    def kind_of_finger(self) -> Indices:
         """Which kind each finger is of, shape (m,)."""
         return np.repeat(np.arange(len(self.all_kinds)), [kind.fingers for kind in self.all_kinds])
 
     @cached_property
-    def kind(self) -> np.ndarray:
+    def kind(self) -> Indices:
         """Which kind of finger each candidate is for, shape (n,)."""
         return np.repeat(np.arange(len(self.all_kinds)), [kind.candidates for kind in self.all_kinds])
 
     @cached_property
-    def strengths(self) -> np.ndarray:
+    def strengths(self) -> Floats:
         """s_i: the finger at candidate i can push s_i times the force level phi, |f_i| <= s_i phi; shape (n,)."""
         return np.repeat([kind.strength for kind in self.all_kinds], [kind.candidates for kind in self.all_kinds])
 
@@ -154,20 +155,20 @@ class SearchProblem:
         """Whether all fingers are alike, meet their contacts, and may be at any distance from each other."""
         return not self.kinds and not self.pairs_are_limited and not self.position_error
 
-    def admits(self, subset: np.ndarray) -> bool:
+    def admits(self, subset: Indices) -> bool:
         """Whether a subset of candidates, shape (m,), has the right kinds of fingers, spacing and span."""
         of_kind = np.bincount(self.kind[subset], minlength=len(self.all_kinds))
         if any(count != kind.fingers for count, kind in zip(of_kind, self.all_kinds, strict=True)):
             return False
         return all(bool(self.partners(subset[:k])[subset[k]]) for k in range(1, len(subset)))
 
-    def among(self, chosen: np.ndarray) -> "SearchProblem":
+    def among(self, chosen: Indices) -> "SearchProblem":
         """The problem with only some of its candidates, ascending indices of shape (chosen,)."""
         left = np.bincount(self.kind[chosen], minlength=len(self.all_kinds))
         kinds = tuple(replace(kind, candidates=int(count)) for kind, count in zip(self.kinds, left, strict=False))
         return replace(self, contacts=self.contacts.subset(chosen), kinds=kinds)
 
-    def partners(self, chosen: np.ndarray) -> np.ndarray:
+    def partners(self, chosen: Indices) -> Mask:
         """Which candidates keep spacing and span to all the chosen ones, shape (n,); the chosen are not among them."""
         allowed = np.ones(len(self.contacts), dtype=bool)
         allowed[chosen] = False
@@ -183,12 +184,12 @@ class SearchProblem:
         return reach(self.contacts.points, self.reference_point)
 
     @cached_property
-    def maps(self) -> np.ndarray:
+    def maps(self) -> Floats:
         """G_i from the components of each candidate's contact to wrenches, shape (n, D, k), strengths in them."""
         return self.model.maps(self.fingertips, self.reference_point)
 
     @cached_property
-    def shifted_maps(self) -> np.ndarray:
+    def shifted_maps(self) -> Floats:
         """`maps` of every place where a finger may land, the contact itself first, shape (shifts, n, D, k)."""
         if not self.position_error:
             return self.maps[None]

@@ -5,6 +5,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.search.evaluation import Evaluation
 from planner.search.problem import SearchProblem
 
@@ -71,7 +72,7 @@ class SearchResult:
     lower_bound: float
     """No m-subset of the candidates has a smaller rho [N]; at most the problem's force ceiling and every rho found."""
 
-    cuts: np.ndarray
+    cuts: Floats
     """Cuts that prove the lower bound, shape (cuts, D), scaled so that max_j -lambda . w_j = 1."""
 
     stated: dict[str, float] = field(default_factory=dict)

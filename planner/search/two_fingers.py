@@ -10,13 +10,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.search.problem import SearchProblem
 
 ROUND_OFF = 1e-14
 """Of a sum of a few products, relative to them: a few dozen times the spacing of floating point numbers."""
 
 
-def pairs(problem: SearchProblem) -> Iterator[np.ndarray]:
+def pairs(problem: SearchProblem) -> Iterator[Indices]:
     """All pairs that keep kinds, spacing and span, by their first member; arrays of shape (pairs, 2)."""
     alike = len(problem.all_kinds) == 1
     for first in range(len(problem.contacts) - 1):
@@ -25,7 +26,7 @@ def pairs(problem: SearchProblem) -> Iterator[np.ndarray]:
         yield np.stack([np.full_like(second, first), second], axis=1)
 
 
-def line_bounds(problem: SearchProblem, subsets: np.ndarray) -> np.ndarray:
+def line_bounds(problem: SearchProblem, subsets: Indices) -> Floats:
     """Upper bounds on 1 / rho of pairs, from the moment about their line.
 
     Args:

@@ -1,8 +1,8 @@
 """A ball of wrenches, its moments made comparable with forces by a length."""
 
 import msgspec
-import numpy as np
 
+from planner.arrays import Floats
 from planner.wrench_sets.ellipsoid import Ellipsoid
 from planner.wrench_sets.values import size, space_dimension
 
@@ -37,10 +37,10 @@ class Ball(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         moments = (moment,) if self.dimension == 2 else (moment, moment, moment)
         return Ellipsoid(force=self.dimension * (self.radius,), moment=moments, facets=self.facets)
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """Vertices of the circumscribed polytope, shape (l, D)."""
         return self._ellipsoid.vertices()
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """radius |(u_f, length u_m)|, shape (k,)."""
         return self._ellipsoid.support(directions)

@@ -5,6 +5,7 @@ from itertools import product
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 from planner.wrench_sets.values import center_vector, half_sizes
 
@@ -32,18 +33,18 @@ class Box(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
             raise TaskError("the box is the zero wrench alone: give a half-width or a center that is not zero")
 
     @property
-    def _half_widths(self) -> np.ndarray:
+    def _half_widths(self) -> Floats:
         return half_sizes(self.force, self.moment)
 
     @property
-    def _center(self) -> np.ndarray:
+    def _center(self) -> Floats:
         return center_vector(self.center, len(self._half_widths))
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """The box's own corners, shape (l, D), l = 2^(number of half-widths that are not zero)."""
         ends = [(-width, width) if width else (0.0,) for width in self._half_widths]
         return self._center + np.array(list(product(*ends)))
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """u.c + sum_k |u_k| (F, M)_k, shape (k,)."""
         return directions @ self._center + np.abs(directions) @ self._half_widths

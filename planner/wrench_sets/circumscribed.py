@@ -11,6 +11,7 @@ from itertools import product
 import numpy as np
 from scipy.spatial import HalfspaceIntersection
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 
 MAX_FACETS = 200
@@ -23,7 +24,7 @@ COINCIDENT = 9
 """Decimals to which two vertices must agree to be the same one."""
 
 
-def circumscribed_ball(dimension: int, facets: int | None = None) -> np.ndarray:
+def circumscribed_ball(dimension: int, facets: int | None = None) -> Floats:
     """Vertices of a polytope whose facets all touch the unit ball around the origin.
 
     A segment; a regular polygon with a flat at angle zero; the regular polyhedra of 6, 8, 12 and 20 facets;
@@ -69,17 +70,17 @@ def _check_facets(dimension: int, facets: int) -> None:
         raise TaskError(f"a polytope around a {dimension}-dimensional ball takes an even number of facets: {facets}")
 
 
-def _polygon(facets: int) -> np.ndarray:
+def _polygon(facets: int) -> Floats:
     """Regular polygon; a flat lies on every axis when 4 divides the number of its facets."""
     angles = 2 * np.pi * (np.arange(facets) + 0.5) / facets
     return np.stack([np.cos(angles), np.sin(angles)], axis=1) / math.cos(math.pi / facets)
 
 
-def _signs(dimension: int) -> np.ndarray:
+def _signs(dimension: int) -> Floats:
     return np.array(list(product((-1.0, 1.0), repeat=dimension)))
 
 
-def _golden_solid(facets: int) -> np.ndarray:
+def _golden_solid(facets: int) -> Floats:
     """Dodecahedron or icosahedron: each one's facet normals are the other's vertices."""
     golden = (1 + math.sqrt(5)) / 2
     cyclic = [np.eye(3)[[shift, (shift + 1) % 3, (shift + 2) % 3]] for shift in range(3)]
@@ -91,7 +92,7 @@ def _golden_solid(facets: int) -> np.ndarray:
     return solid / float((normals @ solid.T).max())
 
 
-def _spread_normals(dimension: int, pairs: int) -> np.ndarray:
+def _spread_normals(dimension: int, pairs: int) -> Floats:
     """Unit normals, one of each pair n, -n, each as far as possible from those before; the axes first.
 
     The candidates are directions of small integer vectors; equal distances are decided by their order,
@@ -110,12 +111,12 @@ def _spread_normals(dimension: int, pairs: int) -> np.ndarray:
     return np.array(normals)
 
 
-def _intersection(normals: np.ndarray) -> np.ndarray:
+def _intersection(normals: Floats) -> Floats:
     """Vertices of { x : |n_j . x| <= 1 }, in the order of their coordinates."""
     both = np.vstack([normals, -normals])
     halfspaces = np.hstack([both, -np.ones((len(both), 1))])
     corners = HalfspaceIntersection(halfspaces, np.zeros(normals.shape[1])).intersections
-    vertices: np.ndarray = corners[np.unique(np.round(corners, COINCIDENT), axis=0, return_index=True)[1]]
+    vertices: Floats = corners[np.unique(np.round(corners, COINCIDENT), axis=0, return_index=True)[1]]
     if len(vertices) > MAX_VERTICES:
         raise TaskError(
             f"{len(both)} facets around a {normals.shape[1]}-dimensional ball have {len(vertices)} vertices; "

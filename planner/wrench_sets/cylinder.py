@@ -3,6 +3,7 @@
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.wrench_sets.circumscribed import circumscribed_ball
@@ -39,7 +40,7 @@ class Cylinder(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
             raise TaskError("the cylinder is the zero wrench alone: give a force or a moment that is not zero")
         space_dimension(self.dimension)
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """Every pair of a force vertex and a moment vertex, shape (l, D)."""
         forces = _around(self.force, self.dimension, self.force_facets)
         moment_dimension = wrench_dimension(self.dimension) - self.dimension
@@ -47,11 +48,11 @@ class Cylinder(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         moments = _around(self.moment, moment_dimension, 8 if octahedron else self.moment_facets)
         return np.hstack([np.repeat(forces, len(moments), axis=0), np.tile(moments, (len(forces), 1))])
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """F |u_f| + M |u_m|, shape (k,)."""
         forces, moments = directions[:, : self.dimension], directions[:, self.dimension :]
         return np.linalg.norm(self.force * forces, axis=1) + np.linalg.norm(self.moment * moments, axis=1)
 
 
-def _around(radius: float, dimension: int, facets: int | None) -> np.ndarray:
+def _around(radius: float, dimension: int, facets: int | None) -> Floats:
     return radius * circumscribed_ball(dimension, facets) if radius else np.zeros((1, dimension))

@@ -3,6 +3,7 @@
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.wrench_sets.circumscribed import circumscribed_ball
@@ -48,11 +49,11 @@ class Ellipsoid(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
             raise TaskError(f"rotation must be orthonormal with determinant +1, got {self.rotation}")
 
     @property
-    def _semi_axes(self) -> np.ndarray:
+    def _semi_axes(self) -> Floats:
         return half_sizes(self.force, self.moment)
 
     @property
-    def _rotation(self) -> np.ndarray:
+    def _rotation(self) -> Floats:
         """The rotation acting on wrenches, shape (D, D)."""
         dimension = len(self.force)
         if self.rotation is None:
@@ -65,18 +66,18 @@ class Ellipsoid(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
         return turn
 
     @property
-    def _map(self) -> np.ndarray:
+    def _map(self) -> Floats:
         """R diag(a) without its zero columns, shape (D, number of positive semi-axes)."""
         semi_axes = self._semi_axes
         return (self._rotation * semi_axes)[:, semi_axes > 0]
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """The image of a polytope around the unit ball, shape (l, D)."""
         linear = self._map
         ball = circumscribed_ball(linear.shape[1], self.facets)
         return center_vector(self.center, len(linear)) + ball @ linear.T
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """u.c + |diag(a) R^T u|, shape (k,)."""
         linear = self._map
         center = center_vector(self.center, len(linear))

@@ -3,6 +3,7 @@
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 from planner.wrench_sets.values import finite_vector
 
@@ -24,19 +25,19 @@ class Polytope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
             raise TaskError("wrenches are all zero: no force is needed to resist them")
 
     @property
-    def _wrenches(self) -> np.ndarray:
+    def _wrenches(self) -> Floats:
         """Shape (l, D)."""
         dimension = len(finite_vector("wrenches[0]", self.wrenches[0], (3, 6)))
         return np.array(
             [finite_vector(f"wrenches[{j}]", wrench, (dimension,)) for j, wrench in enumerate(self.wrenches)]
         )
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """The wrenches in the order given, without repetition, shape (l, D)."""
         wrenches = self._wrenches
         first = np.sort(np.unique(wrenches, axis=0, return_index=True)[1])
         return wrenches[first]
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """max_j u.w_j, shape (k,)."""
         return (directions @ self._wrenches.T).max(axis=1)

@@ -8,6 +8,7 @@ from typing import Protocol
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.objects.graspable import Graspable
@@ -26,7 +27,7 @@ GRAVITY = 9.81
 class Preset(Protocol):
     """A family of wrench sets with one member per object."""
 
-    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: Floats) -> WrenchSet:
         """The set for one object.
 
         Args:
@@ -46,7 +47,7 @@ class Paper(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     circumscribed by a prism of 8 sides and 2 caps. Source: Watanabe and Yoshikawa, section 4, Cases III, I and II.
     """
 
-    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: Floats) -> WrenchSet:
         """See `Preset`."""
         force = weight(object)
         if isinstance(object, PlanarObject):
@@ -74,7 +75,7 @@ class Gravity(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         if self.radius is not None:
             size("radius", self.radius, zero=True)
 
-    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: Floats) -> WrenchSet:
         """See `Preset`."""
         radius = 0.1 * float(object.extent.min()) if self.radius is None else self.radius
         return Cylinder(force=weight(object), moment=weight(object) * radius, dimension=len(reference_point))
@@ -95,7 +96,7 @@ class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     def __post_init__(self) -> None:
         size("acceleration", self.acceleration, zero=False)
 
-    def for_object(self, object: Graspable, reference_point: np.ndarray) -> WrenchSet:
+    def for_object(self, object: Graspable, reference_point: Floats) -> WrenchSet:
         """See `Preset`."""
         push = weight(object) / GRAVITY * self.acceleration
         dimension = len(reference_point)

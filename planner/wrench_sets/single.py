@@ -1,8 +1,8 @@
 """One wrench: the equilibrium grasp."""
 
 import msgspec
-import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 from planner.wrench_sets.values import finite_vector
 
@@ -22,13 +22,13 @@ class Single(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             raise TaskError("wrench is zero: no force is needed to resist it")
 
     @property
-    def _wrench(self) -> np.ndarray:
+    def _wrench(self) -> Floats:
         return finite_vector("wrench", self.wrench, (3, 6))
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """The wrench, shape (1, D)."""
         return self._wrench[None]
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """u.w, shape (k,)."""
         return directions @ self._wrench

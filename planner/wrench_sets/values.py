@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 
@@ -11,7 +12,7 @@ LARGEST = 1e12
 """Largest accepted magnitude, in any SI unit: no product of two of them can overflow."""
 
 
-def finite_vector(name: str, values: Sequence[float], allowed: Sequence[int]) -> np.ndarray:
+def finite_vector(name: str, values: Sequence[float], allowed: Sequence[int]) -> Floats:
     """The values as an array.
 
     Args:
@@ -43,7 +44,7 @@ def size(name: str, value: float, *, zero: bool) -> float:
     return float(value)
 
 
-def half_sizes(force: Sequence[float], moment: Sequence[float]) -> np.ndarray:
+def half_sizes(force: Sequence[float], moment: Sequence[float]) -> Floats:
     """Sizes along the D axes of wrench space, each finite and not negative, shape (D,) [N, N m].
 
     Args:
@@ -61,7 +62,7 @@ def half_sizes(force: Sequence[float], moment: Sequence[float]) -> np.ndarray:
     return sizes
 
 
-def center_vector(center: Sequence[float] | None, dimension: int) -> np.ndarray:
+def center_vector(center: Sequence[float] | None, dimension: int) -> Floats:
     """Centre of a set in wrench space, shape (D,); the origin where none is given.
 
     Args:

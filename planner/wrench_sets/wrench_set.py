@@ -7,20 +7,20 @@ the vertices of one that contains it. Source: Watanabe and Yoshikawa, sections 2
 
 from typing import Protocol
 
-import numpy as np
+from planner.arrays import Floats
 
 
 class WrenchSet(Protocol):
     """A convex set of wrenches that the grasp must resist."""
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """Vertices of a polytope that contains the set, without repetition, shape (l, D) [N, N m].
 
         Raises:
             TaskError: When the polytope asked for is out of bounds.
         """
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         """Support function of the set itself: max { u.w : w in the set }.
 
         Args:

@@ -7,6 +7,7 @@ cuts that cannot prune a row are skipped unread.
 import numpy as np
 from numba import njit
 
+from planner.arrays import Floats, Indices, Singles
 from planner.search.compiled.compile import compiled
 
 BLOCK = 8
@@ -18,11 +19,11 @@ NO_BOUND = 1e30
 
 @compiled("(i8[::1], i8[::1], f8[:, :], f4[:, ::1], f4[:, ::1], i8)")
 def add_columns(
-    left: np.ndarray,
-    candidates: np.ndarray,
-    values: np.ndarray,
-    maxima: np.ndarray,
-    block_minima: np.ndarray,
+    left: Indices,
+    candidates: Indices,
+    values: Floats,
+    maxima: Singles,
+    block_minima: Singles,
     first: int,
 ) -> None:
     """Fill columns of the table: the largest value below each node.
@@ -48,7 +49,7 @@ def add_columns(
 
 
 @njit(inline="always")
-def _add_up(table: np.ndarray, nodes: np.ndarray, first: int, count: int, sums: np.ndarray) -> None:
+def _add_up(table: Singles, nodes: Indices, first: int, count: int, sums: Singles) -> None:
     """Sum `count` columns of the nodes' rows of a table, from column `first`."""
     row = table[nodes[0]]
     for column in range(count):
@@ -61,12 +62,12 @@ def _add_up(table: np.ndarray, nodes: np.ndarray, first: int, count: int, sums: 
 
 @compiled("(UniTuple(f4[:, ::1], 2), i8[:, ::1], i8, f4, f4[::1], i8[::1])", reorder=True)
 def bound_rows(
-    tables: tuple[np.ndarray, np.ndarray],
-    rows: np.ndarray,
+    tables: tuple[Singles, Singles],
+    rows: Indices,
     blocks: int,
     threshold: float,
-    bounds: np.ndarray,
-    cuts: np.ndarray,
+    bounds: Singles,
+    cuts: Indices,
 ) -> None:
     """Lower the bounds of rows until a cut prunes them or no cut can; those that are pruned already stay as they are.
 

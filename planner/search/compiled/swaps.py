@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.search.compiled.compile import compiled
 
 DECISIVE = 16
@@ -9,7 +10,7 @@ DECISIVE = 16
 
 
 @compiled("Tuple((i8, f8))(f8[:, :], i8[::1], i8[::1], f8)")
-def best_partner(values: np.ndarray, chosen: np.ndarray, among: np.ndarray, least: float) -> tuple[int, float]:
+def best_partner(values: Floats, chosen: Indices, among: Indices, least: float) -> tuple[int, float]:
     """The candidate i with the largest min_k (a_ik + sum over the chosen of a_jk), if that exceeds `least`; else -1.
 
     Args:

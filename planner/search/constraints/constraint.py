@@ -9,18 +9,20 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.arrays import Indices, Mask
+
 
 class Constraint(Protocol):
     """Some subsets are wanted, the others do not count."""
 
-    def possible(self, rows: np.ndarray) -> np.ndarray:
+    def possible(self, rows: Indices) -> Mask:
         """Which rows of regions may hold a wanted subset, shape (rows,); exact for rows of single candidates.
 
         Args:
             rows: Numbers of regions, shape (rows, m).
         """
 
-    def admits(self, subsets: np.ndarray) -> np.ndarray:
+    def admits(self, subsets: Indices) -> Mask:
         """Which subsets are wanted, shape (subsets,).
 
         Args:
@@ -37,21 +39,21 @@ class Constraints:
     def __init__(self, constraints: Sequence[Constraint]) -> None:
         self._constraints = constraints
 
-    def possible(self, rows: np.ndarray) -> np.ndarray:
+    def possible(self, rows: Indices) -> Mask:
         """See `Constraint.possible`."""
         possible = np.ones(len(rows), dtype=bool)
         for constraint in self._constraints:
             possible &= constraint.possible(rows)
         return possible
 
-    def admits(self, subsets: np.ndarray) -> np.ndarray:
+    def admits(self, subsets: Indices) -> Mask:
         """See `Constraint.admits`."""
         wanted = np.ones(len(subsets), dtype=bool)
         for constraint in self._constraints:
             wanted &= constraint.admits(subsets)
         return wanted
 
-    def admit(self, subset: np.ndarray) -> bool:
+    def admit(self, subset: Indices) -> bool:
         """Whether one subset, shape (m,), is wanted."""
         return bool(self.admits(subset[None])[0])
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.search.problem import SearchProblem
 from planner.search.regions.candidate_tree import CandidateTree
 
@@ -16,9 +17,7 @@ from planner.search.regions.candidate_tree import CandidateTree
 class Distinct:
     """A contact far from every contact of each earlier grasp; see `Constraint`."""
 
-    def __init__(
-        self, problem: SearchProblem, tree: CandidateTree, earlier: Sequence[np.ndarray], apart: float
-    ) -> None:
+    def __init__(self, problem: SearchProblem, tree: CandidateTree, earlier: Sequence[Indices], apart: float) -> None:
         """
         Args:
             problem: Whose candidates are chosen from.
@@ -33,11 +32,11 @@ class Distinct:
         ]
         self._farthest = [tree.boxes(distances[:, None])[1][:, 0] for distances in self._distances]
 
-    def possible(self, rows: np.ndarray) -> np.ndarray:
+    def possible(self, rows: Indices) -> Mask:
         """See `Constraint.possible`."""
         return self._far(self._farthest, rows)
 
-    def admits(self, subsets: np.ndarray) -> np.ndarray:
+    def admits(self, subsets: Indices) -> Mask:
         """See `Constraint.admits`."""
         return self._far(self._distances, subsets)
 
@@ -45,7 +44,7 @@ class Distinct:
         """Nothing: the certificate is about the best grasp, before which there is none."""
         return {}
 
-    def _far(self, distances: list[np.ndarray], chosen: np.ndarray) -> np.ndarray:
+    def _far(self, distances: list[Floats], chosen: Indices) -> Mask:
         """Where one of the chosen is far enough from each earlier grasp, shape (rows,)."""
         far = np.ones(len(chosen), dtype=bool)
         for each in distances:

@@ -8,6 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
+from planner.arrays import Indices, Mask
 from planner.search.problem import SearchProblem
 from planner.search.regions.candidate_tree import CandidateTree
 
@@ -21,7 +22,7 @@ class Spacing:
         if self._needed:
             self._lower, self._upper = tree.boxes(problem.contacts.points)
 
-    def possible(self, rows: np.ndarray) -> np.ndarray:
+    def possible(self, rows: Indices) -> Mask:
         """See `Constraint.possible`."""
         possible = np.ones(len(rows), dtype=bool)
         if self._needed:
@@ -32,7 +33,7 @@ class Spacing:
                 possible &= np.linalg.norm(reach, axis=1) >= self._least
         return possible
 
-    def admits(self, subsets: np.ndarray) -> np.ndarray:
+    def admits(self, subsets: Indices) -> Mask:
         """See `Constraint.admits`."""
         wanted = np.ones(len(subsets), dtype=bool)
         if self._needed:

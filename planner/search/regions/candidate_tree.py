@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.search.problem import SearchProblem
 
 SMALLEST = 1e-12
@@ -22,31 +23,31 @@ HALVED_AFTER = 48
 class CandidateTree:
     """Nodes over n candidates, numbered parents first; one tree for each kind of finger, their roots first."""
 
-    order: np.ndarray
+    order: Indices
     """Candidate at each position, shape (n,)."""
 
-    start: np.ndarray
+    start: Indices
     """First position of each node, shape (nodes,)."""
 
-    stop: np.ndarray
+    stop: Indices
     """One past the last position of each node, shape (nodes,)."""
 
-    left: np.ndarray
+    left: Indices
     """Left child of each node (the right one is the next number), -1 for leaves, shape (nodes,)."""
 
-    diameters: np.ndarray
+    diameters: Floats
     """Diagonal of each node's bounding box in (position, normal) space, lengths in radii of the candidate cloud, shape
     (nodes,); zero for leaves, positive for all others."""
 
-    first_row: np.ndarray
+    first_row: Indices
     """The roots, once for each finger: the row of nodes that stands for every subset, shape (m,)."""
 
     @property
-    def sizes(self) -> np.ndarray:
+    def sizes(self) -> Indices:
         """Number of candidates below each node, shape (nodes,)."""
         return self.stop - self.start
 
-    def boxes(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def boxes(self, points: Floats) -> tuple[Floats, Floats]:
         """Least and greatest coordinates of the points below each node.
 
         Args:
@@ -70,7 +71,7 @@ def build_tree(problem: SearchProblem) -> CandidateTree:
     order = np.arange(len(features))
     stops = np.cumsum([kind.candidates for kind in problem.all_kinds])
     starts = np.concatenate([[0], stops[:-1]])
-    levels: list[tuple[np.ndarray, ...]] = []
+    levels: list[tuple[Indices, Indices, Indices, Floats]] = []
     nodes = 0
     while len(starts):
         inner = stops - starts > 1
@@ -94,8 +95,8 @@ def build_tree(problem: SearchProblem) -> CandidateTree:
 
 
 def _split_level(
-    features: np.ndarray, order: np.ndarray, starts: np.ndarray, stops: np.ndarray, halve: bool
-) -> tuple[np.ndarray, np.ndarray]:
+    features: Floats, order: Indices, starts: Indices, stops: Indices, halve: bool
+) -> tuple[Floats, Indices]:
     """Sort the candidates of each node along its longest side, in place, and find where the upper half begins.
 
     Args:
@@ -127,7 +128,7 @@ def _split_level(
     return np.maximum(np.linalg.norm(sides, axis=1), SMALLEST), starts + lows
 
 
-def _spread(values: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+def _spread(values: Floats, chosen: Mask) -> Floats:
     """The values at the chosen places, zero elsewhere."""
     spread = np.zeros(len(chosen))
     spread[chosen] = values
