@@ -103,7 +103,7 @@ def test_a_signal_ends_a_check_with_one_line_and_leaves_no_file(command: str, pl
         out.unlink(missing_ok=True)
 
 
-@pytest.mark.parametrize("instant", ["planner.planning.plan_within", "planner.grasp_file.write_grasp"])
+@pytest.mark.parametrize("instant", ["planner.planning.plan_several", "planner.grasps.grasp_file.write_grasp"])
 def test_a_signal_between_the_proof_and_the_file_does_not_lose_the_grasp(instant: str, tmp_path: Path) -> None:
     """After the search has returned, and before the file is begun."""
     module, function = instant.rsplit(".", 1)

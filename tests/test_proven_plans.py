@@ -5,7 +5,6 @@ from collections.abc import Callable
 from itertools import count
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from planner.grasps.grasp import Certificate
@@ -68,18 +67,9 @@ def test_a_check_that_is_cut_short_says_what_is_left(
 ) -> None:
     """Stopped once it has asked so many times whether to go on."""
 
-    def cut_short(
-        certificate: Certificate,
-        fingers: int,
-        reference_point: np.ndarray,
-        wrenches: np.ndarray,
-        bound: float,
-        stop: Callable[[], bool],
-    ) -> BoundCheck:
+    def cut_short(certificate: Certificate, claim: Claim, stop: Callable[[], bool]) -> BoundCheck:
         times = count()
-        return check_bound(
-            certificate, Claim(fingers, reference_point, wrenches, bound), stop=lambda: stop() or next(times) >= asks
-        )
+        return check_bound(certificate, claim, stop=lambda: stop() or next(times) >= asks)
 
     out = tmp_path / "box.grasp.json"
     monkeypatch.setattr("planner.verification.proof_check.check_bound", cut_short)

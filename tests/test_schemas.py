@@ -67,8 +67,8 @@ def test_real_files_follow_the_published_schemas(golden_grasp: Grasp, prism: Rig
     )
     write_grasp(tmp_path / "x.grasp.json", golden_grasp)
     write_validation(tmp_path / "x.validation.json", validation, grasp="x.grasp.json")
-    for kind, package in (("grasp", "planner"), ("validation", "sim")):
-        schema = json.loads((ROOT / package / "schemas" / f"{kind}.schema.json").read_text())
+    for kind, room in (("grasp", "planner/grasps"), ("validation", "sim/validation")):
+        schema = json.loads((ROOT / room / "schemas" / f"{kind}.schema.json").read_text())
         document = json.loads((tmp_path / f"x.{kind}.json").read_text())
         assert errors(document, schema, schema) == []
         for key in schema["$defs"][schema["$ref"].removeprefix("#/$defs/")]["required"]:

@@ -59,8 +59,6 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     density = f", {rigid_object.mass / volume:.4g} kg per m3 of {1e6 * volume:.4g} cm3 that collide" if volume else ""
     yield f"mass        {rigid_object.mass:.4g} kg{density}"
     yield f"centre      {point_in_mm(rigid_object.center_of_mass)} mm, the centre of mass in the body frame"
-    origin, turn = point_in_mm(rigid_object.pose_in_file.position), np.rad2deg(rigid_object.pose_in_file.angle)
-    yield f"placed      at {origin} mm in the world of its file, turned by {turn:.3g}°"
     yield f"size        {' x '.join(in_mm(edge) for edge in rigid_object.extent)} mm"
     yield f"pose        {_placed(rigid_object.pose_in_file)}"
     width = max(len(part.geom) for part in rigid_object.parts)

@@ -36,8 +36,8 @@ def split(rows: BoundedRows, tree: CandidateTree) -> BoundedRows:
                 child[index, first[possible] + copy] = left[possible] + (copy >= lefts)
             children.append(child)
             parents_of.append(chosen[possible])
-    inherited = rows[np.concatenate(parents_of)]
-    return BoundedRows(nodes=np.concatenate(children), bounds=inherited.bounds, cuts=inherited.cuts)
+    parents = np.concatenate(parents_of)
+    return BoundedRows(nodes=np.concatenate(children), bounds=rows.bounds[parents], cuts=rows.cuts[parents])
 
 
 class Frontier:

@@ -54,4 +54,7 @@ def test_inspect_says_where_the_file_places_the_body(tmp_path: Path, capsys: pyt
     path = tmp_path / "bar.xml"
     path.write_text(BAR.format(pose='euler="90 0 0" pos="0 0.5 1"'))
     assert run("grasp-inspect", path, "--candidates", 30) == 0
-    assert says(capsys.readouterr().out, r"placed at \(0, 500, 1000\) mm in the world of its file, turned by 90°")
+    assert says(
+        capsys.readouterr().out,
+        r"the body frame lies at \(0, 500, 1000\) mm in the world of the file, turned by 90° about",
+    )

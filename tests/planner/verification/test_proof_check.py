@@ -5,7 +5,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import planner.verification.proof_check
@@ -48,9 +47,9 @@ def proves(result: SearchResult) -> bool:
 
 
 def without_a_needed_cut(result: SearchResult) -> SearchResult:
-    """The few cuts of a proof but one, the first without which it is none."""
+    """The cuts of a proof, of which the first ones are taken away until it is none."""
     few = minimal_cuts(result)
-    shorter = (replace(result, cuts=np.delete(few, cut, axis=0)) for cut in range(len(few)))
+    shorter = (replace(result, cuts=few[cut:]) for cut in range(1, len(few)))
     return next(each for each in shorter if not proves(each))
 
 
@@ -64,7 +63,7 @@ def test_a_true_proof_is_handed_on_as_it_is(true_result: SearchResult, caplog: p
     assert check is not None
     assert check.share == 1
     assert (checked.status, checked.lower_bound) == (true_result.status, true_result.lower_bound)
-    assert len(checked.cuts) < len(true_result.cuts)
+    assert len(checked.cuts) <= len(true_result.cuts)
     assert not caplog.records
 
 

@@ -29,7 +29,8 @@ def test_ctrl_c_ends_it_cleanly(golden_file: Path) -> None:
             out, err = process.communicate(timeout=30)
         finally:
             process.kill()
-    assert (process.returncode, out, err) == (0, "", "")
+    said = [line for line in err.splitlines() if not line.startswith("\N{HORIZONTAL ELLIPSIS}")]  # of a busy machine
+    assert (process.returncode, out, said) == (0, "", [])
 
 
 def test_without_viser_one_line_names_the_extra(
