@@ -1,16 +1,14 @@
 """The points with normal_k . p <= offset_k for every facet k: a mesh geom collides as this hull of its vertices."""
 
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
 
 from planner.objects.parts.hull import MERGE_TOLERANCE, convex_facets
+from planner.objects.parts.planes import Planes
 from planner.objects.vectors import norm
-
-CHUNK = 4096
-"""Points compared with all facets at once: bounds the memory of `depth`."""
 
 TIE = 1e-9
 """Facets whose distances differ by less than this, relative to the part's size, are equally near."""
@@ -55,14 +53,15 @@ class Polyhedron:
 
     def triangles(self) -> tuple[np.ndarray, np.ndarray]:
         """Each facet fanned about its first corner; see `ConvexPart.triangles`."""
-        corners = [(facet, ring[0], *pair) for facet, ring in enumerate(self.polygons) for pair in pairwise(ring[1:])]
-        table = np.array(corners)
-        return self.vertices[table[:, 1:]], table[:, 0]
+        corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
+        facets = np.repeat(np.arange(len(counts)), counts - 2)
+        first = (counts.cumsum() - counts)[facets]
+        second = np.arange(len(facets)) + 2 * facets + 1  # every facet before has two corners more than triangles
+        return self.vertices[corners[np.column_stack([first, second, second + 1])]], facets
 
     def nearest_facet(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.nearest_facet`; the first of equally near facets."""
-        slack = self._slack(points)
-        return (slack <= slack.min(axis=1, keepdims=True) + TIE * self._length).argmax(axis=1)
+        return self._planes.nearest(points, TIE * self._length)
 
     def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """See `ConvexPart.project`."""
@@ -75,14 +74,14 @@ class Polyhedron:
 
     def depth(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.depth`."""
-        chunks = [self._slack(points[start : start + CHUNK]).min(axis=1) for start in range(0, len(points), CHUNK)]
-        return np.concatenate(chunks) if chunks else np.zeros(0)
+        return self._planes.depth(points)
 
-    def _slack(self, points: np.ndarray) -> np.ndarray:
-        """How far each point lies below each facet's plane, shape (n, facets) [m]."""
-        return self.offsets - points @ self.normals.T
+    @cached_property
+    def _planes(self) -> Planes:
+        middle = self.bounds().mean(axis=0)
+        return Planes(normals=self.normals, offsets=self.offsets, middle=middle, length=self._length)
 
-    @property
+    @cached_property
     def _length(self) -> float:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
