@@ -5,13 +5,17 @@ from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from planner.objects.parts.hull import MERGE_TOLERANCE, convex_facets
-from planner.objects.parts.planes import Planes
+from planner.objects.parts.planes import MOST_ASKED, Planes
 from planner.objects.vectors import norm
 
 TIE = 1e-9
 """Facets whose distances differ by less than this, relative to the part's size, are equally near."""
+
+CORE = 300
+"""Facets whose corners span the core of a polyhedron of many facets."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -73,13 +77,26 @@ class Polyhedron:
         return feet, -normals
 
     def depth(self, points: np.ndarray) -> np.ndarray:
-        """See `ConvexPart.depth`."""
-        return self._planes.depth(points)
+        """See `ConvexPart.depth`; of many facets the nearest is sought only for points outside of the core."""
+        if len(self.offsets) <= MOST_ASKED:
+            return self._planes.depth(points)
+        depths = self._core.depth(points)
+        outside = np.flatnonzero(depths <= MERGE_TOLERANCE * self._length)
+        depths[outside] = self._planes.depth(points[outside])
+        return depths
 
     @cached_property
     def _planes(self) -> Planes:
         middle = self.bounds().mean(axis=0)
         return Planes(normals=self.normals, offsets=self.offsets, middle=middle, length=self._length)
+
+    @cached_property
+    def _core(self) -> Planes:
+        """Hull of the corners of some facets: a point is in the polyhedron as deep as in this, or deeper."""
+        some = self.polygons[:: len(self.polygons) // CORE]
+        equations = ConvexHull(self.vertices[np.unique(np.concatenate(some))]).equations
+        middle = self.bounds().mean(axis=0)
+        return Planes(normals=equations[:, :3], offsets=-equations[:, 3], middle=middle, length=self._length)
 
     @cached_property
     def _length(self) -> float:
