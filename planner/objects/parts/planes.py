@@ -1,30 +1,34 @@
 """The planes of a convex polyhedron's facets: how deep a point lies below the nearest, of few facets or of 200,000.
 
-A point p lies o_k - n_k . p below plane k, so the nearest plane is that whose a_k = (n_k, -o_k) has the largest inner
-product with x = (p, 1). Few planes are all asked. Of many it is the nearest neighbour of (x, 0) among the
-(a_k, sqrt(max |a|^2 - |a_k|^2)), because these are equally long: a k-d tree finds it without asking the others, and
-the fastest if x is as long as they are.
+A point p lies o_k - n_k . p below plane k. Few planes are all asked. Many are bounded in blocks of neighbours: with a
+point q of the polyhedron near a block, m the mean normal, r the largest |n_k - m| and e the least depth of q below the
+block's planes,
 
-Source: Bachrach et al., Speeding up the Xbox recommender system using a Euclidean transformation for inner-product
-spaces (2014).
+    o_k - n_k . p  =  (o_k - n_k . q) - n_k . (p - q)  >=  e - m . (p - q) - r |p - q|,
+
+so that only blocks are asked whose bound is below the least depth already found.
 """
 
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial.distance import cdist
 
+from planner.objects.neighbour_blocks import neighbour_blocks
 from planner.objects.vectors import norm
 
 MOST_ASKED = 4096
-"""With more planes than these the nearest is looked up, not asked for among all."""
+"""Of more planes than these most are not asked."""
 
 CHUNK = 4096
-"""Points compared with all planes at once: bounds the memory."""
+"""Points compared with few planes at once: bounds the memory."""
 
-ROUNDING = 1e-14
-"""Of squared distances in the tree, whose points have lengths of about one."""
+FEW = 256
+"""The same for many planes, with some blocks of which each point is compared."""
+
+ROUNDING = 1e-12
+"""By how much the bounds are lower for the sake of rounding, relative to the polyhedron's size."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -37,57 +41,93 @@ class Planes:
     offsets: np.ndarray
     """Distances from the origin along the normals, shape (planes,) [m]."""
 
-    middle: np.ndarray
-    """A point amid the polyhedron, shape (3,) [m]."""
-
-    length: float
-    """Of the polyhedron [m]."""
+    middles: np.ndarray
+    """A point of each facet, shape (planes, 3) [m]."""
 
     def depth(self, points: np.ndarray) -> np.ndarray:
         """How far each point, shape (n, 3), lies below the nearest plane, negative above one, shape (n,) [m]."""
-        if not len(points):
-            return np.zeros(0)
         if len(self.offsets) <= MOST_ASKED:
-            return np.concatenate([self._below(chunk).min(axis=1) for chunk in _chunks(points)])
-        nearest = self._tree.query(self._lifted(points))[1]
-        return self.offsets[nearest] - (points * self.normals[nearest]).sum(axis=1)
+            chunks = [self.below(chunk).min(axis=1) for chunk in _chunks(points, CHUNK)]
+        else:
+            chunks = [self._nearest(chunk, 0.0)[0] for chunk in _chunks(points, FEW)]
+        return np.concatenate(chunks) if chunks else np.zeros(0)
 
     def nearest(self, points: np.ndarray, tie: float) -> np.ndarray:
         """The first of the planes below which each point lies by at most `tie` [m] more than the least, shape (n,)."""
-        if not len(points):
-            return np.zeros(0, dtype=int)
         if len(self.offsets) <= MOST_ASKED:
-            return np.concatenate([_first(self._below(chunk), tie) for chunk in _chunks(points)])
-        lifted, limits = self._lifted(points), self.depth(points) + tie
-        distances, _ = self._tree.query(lifted)
-        wider = 2 * norm(lifted) * tie / self.length  # x was at least 1 long before it was scaled
-        around = self._tree.query_ball_point(lifted, np.sqrt(distances**2 + wider + ROUNDING), return_sorted=True)
-        first = np.empty(len(points), dtype=int)
-        for point, near in enumerate(around):
-            below = self.offsets[near] - self.normals[near] @ points[point]
-            first[point] = near[int((below <= limits[point] + ROUNDING * self.length).argmax())]
-        return first
+            chunks = [_first(self.below(chunk), tie) for chunk in _chunks(points, CHUNK)]
+        else:
+            chunks = [self._nearest(chunk, tie)[1] for chunk in _chunks(points, FEW)]
+        return np.concatenate(chunks) if chunks else np.zeros(0, dtype=int)
 
-    def _below(self, points: np.ndarray) -> np.ndarray:
+    def below(self, points: np.ndarray) -> np.ndarray:
         """How far each point lies below each plane, shape (n, planes) [m]."""
         return self.offsets - points @ self.normals.T
 
-    @cached_property
-    def _tree(self) -> cKDTree:
-        """The planes as equally long vectors, with lengths in units of the polyhedron's."""
-        planes = np.column_stack([self.normals, (self.normals @ self.middle - self.offsets) / self.length])
-        squares = (planes * planes).sum(axis=1)
-        return cKDTree(np.column_stack([planes, np.sqrt(squares.max() - squares)]))
+    def _nearest(self, points: np.ndarray, tie: float) -> tuple[np.ndarray, np.ndarray]:
+        """Depth below the nearest plane, and the first of those that are as near but for the tie."""
+        bounds = self._blocks.bounds(points)
+        everyone = np.arange(len(points))
+        least = self._asked(points, everyone, bounds.argmin(axis=1)).min(axis=1)
+        point, block = np.nonzero(bounds <= least[:, None] + tie)
+        depths, first = np.full(len(points), np.inf), np.full(len(points), len(self.offsets))
+        pieces = [slice(start, start + CHUNK) for start in range(0, len(point), CHUNK)]
+        for some in pieces:
+            np.minimum.at(depths, point[some], self._asked(points, point[some], block[some]).min(axis=1))
+        for some in pieces if tie else []:
+            near = self._asked(points, point[some], block[some]) <= depths[point[some], None] + tie
+            planes = np.where(near, self._blocks.planes[block[some]], len(self.offsets))
+            np.minimum.at(first, point[some], planes.min(axis=1))
+        return depths, first
 
-    def _lifted(self, points: np.ndarray) -> np.ndarray:
-        """The points as vectors as long as the planes in the tree, shape (n, 5)."""
-        lifted = np.column_stack([(points - self.middle) / self.length, np.ones(len(points)), np.zeros(len(points))])
-        return lifted * (norm(self._tree.data[0]) / norm(lifted))[:, None]
+    def _asked(self, points: np.ndarray, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+        """How far some points lie below the planes of one block each, shape (asked, planes of a block) [m]."""
+        planes = self._blocks.planes[block]
+        return self.offsets[planes] - np.einsum("apd,ad->ap", self.normals[planes], points[point])
+
+    @cached_property
+    def _blocks(self) -> "_Blocks":
+        size = np.ptp(self.middles, axis=0).max()
+        planes = neighbour_blocks(np.hstack([self.normals, self.middles / size]))
+        normals, near = self.normals[planes].mean(axis=1), self.middles[planes].mean(axis=1)
+        below = self.offsets[planes] - np.einsum("bpd,bd->bp", self.normals[planes], near)
+        return _Blocks(
+            planes=planes,
+            normals=normals,
+            near=near,
+            spreads=norm(self.normals[planes] - normals[:, None]).max(axis=1),
+            depths=below.min(axis=1) - ROUNDING * size,
+        )
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _Blocks:
+    """Planes in blocks of neighbours, with what bounds them: e, m, r, q of the module's docstring."""
+
+    planes: np.ndarray
+    """Their numbers, shape (blocks, planes of a block)."""
+
+    normals: np.ndarray
+    """m, shape (blocks, 3)."""
+
+    spreads: np.ndarray
+    """r, shape (blocks,)."""
+
+    near: np.ndarray
+    """q, shape (blocks, 3) [m]."""
+
+    depths: np.ndarray
+    """e, a little less for rounding, shape (blocks,) [m]."""
+
+    def bounds(self, points: np.ndarray) -> np.ndarray:
+        """Depths below which no point, shape (n, 3), lies under a plane of each block, shape (n, blocks) [m]."""
+        along = self.depths + (self.normals * self.near).sum(axis=1) - points @ self.normals.T
+        return along - self.spreads * cdist(points, self.near)
 
 
 def _first(below: np.ndarray, tie: float) -> np.ndarray:
     return (below <= below.min(axis=1, keepdims=True) + tie).argmax(axis=1)
 
 
-def _chunks(points: np.ndarray) -> list[np.ndarray]:
-    return [points[start : start + CHUNK] for start in range(0, len(points), CHUNK)]
+def _chunks(points: np.ndarray, size: int) -> list[np.ndarray]:
+    return [points[start : start + size] for start in range(0, len(points), size)]

@@ -72,7 +72,9 @@ class Polyhedron:
         normals = self.normals[facets]
         height = (points * normals).sum(axis=1) - self.offsets[facets]
         feet = points - height[:, None] * normals
-        for index in np.flatnonzero(self.depth(feet) < -MERGE_TOLERANCE * self._length):
+        doubtful = np.arange(len(feet)) if len(self.offsets) <= MOST_ASKED else self._beside(feet, facets)
+        outside = doubtful[self.depth(feet[doubtful]) < -MERGE_TOLERANCE * self._length]
+        for index in outside:
             feet[index] = _nearest_in_polygon(self.vertices[self.polygons[facets[index]]], normals[index], feet[index])
         return feet, -normals
 
@@ -85,18 +87,26 @@ class Polyhedron:
         depths[outside] = self._planes.depth(points[outside])
         return depths
 
+    def _beside(self, feet: np.ndarray, facets: np.ndarray) -> np.ndarray:
+        """Indices of the points of facets' planes that are not in the first triangle of their facet."""
+        corners = self.vertices[np.array([self.polygons[facet][:3] for facet in facets]).reshape(-1, 3)]
+        edges = np.roll(corners, -1, axis=1) - corners
+        sides = np.cross(edges, feet[:, None] - corners) @ self.normals[facets][:, :, None]
+        return np.flatnonzero((sides[..., 0] < 0).any(axis=1))
+
     @cached_property
     def _planes(self) -> Planes:
-        middle = self.bounds().mean(axis=0)
-        return Planes(normals=self.normals, offsets=self.offsets, middle=middle, length=self._length)
+        corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
+        sums = np.add.reduceat(self.vertices[corners], counts.cumsum() - counts)
+        return Planes(normals=self.normals, offsets=self.offsets, middles=sums / counts[:, None])
 
     @cached_property
     def _core(self) -> Planes:
         """Hull of the corners of some facets: a point is in the polyhedron as deep as in this, or deeper."""
         some = self.polygons[:: len(self.polygons) // CORE]
-        equations = ConvexHull(self.vertices[np.unique(np.concatenate(some))]).equations
-        middle = self.bounds().mean(axis=0)
-        return Planes(normals=equations[:, :3], offsets=-equations[:, 3], middle=middle, length=self._length)
+        hull = ConvexHull(self.vertices[np.unique(np.concatenate(some))])
+        middles = hull.points[hull.simplices].mean(axis=1)
+        return Planes(normals=hull.equations[:, :3], offsets=-hull.equations[:, 3], middles=middles)
 
     @cached_property
     def _length(self) -> float:
