@@ -82,8 +82,8 @@ class Polyhedron:
         """See `ConvexPart.depth`; of many facets the nearest is sought only for points outside of the core."""
         if len(self.offsets) <= MOST_ASKED:
             return self._planes.depth(points)
-        depths = self._core.depth(points)
-        outside = np.flatnonzero(depths <= MERGE_TOLERANCE * self._length)
+        depths = self._core.depth(points) - MERGE_TOLERANCE * self._length  # corners may stick out of planes by that
+        outside = np.flatnonzero(depths <= 0)
         depths[outside] = self._planes.depth(points[outside])
         return depths
 
