@@ -5,12 +5,9 @@ reaches, so most blocks are skipped; the choice is the same as without them, in 
 Source: Gonzalez, Clustering to minimize the maximum intercluster distance (1985).
 """
 
-import math
-
 import numpy as np
 
-SMALLEST_BLOCK = 128
-"""Points per block of a small pool; large pools have blocks of a quarter of their square root, measured best."""
+from planner.objects.neighbour_blocks import neighbour_blocks
 
 
 def farthest_points(pool: np.ndarray, count: int) -> np.ndarray:
@@ -40,23 +37,6 @@ def farthest_points(pool: np.ndarray, count: int) -> np.ndarray:
         block = int(farthest.argmax())
         newest = int(order[block, distances[block].argmax()])
     return chosen
-
-
-def neighbour_blocks(pool: np.ndarray) -> np.ndarray:
-    """Indices of the pool's points in blocks of neighbours, shape (blocks, size); a few points appear twice.
-
-    Every group is halved at the middle of its longest extent until it is small enough.
-    """
-    block = max(SMALLEST_BLOCK, math.isqrt(len(pool)) // 4)
-    halvings = max(0, math.ceil(math.log2(len(pool) / block)))
-    order = np.resize(np.arange(len(pool)), (1, -(-len(pool) // 2**halvings) * 2**halvings))
-    for _ in range(halvings):
-        points = pool[order]
-        longest = np.ptp(points, axis=1).argmax(axis=1)
-        keys = np.take_along_axis(points, longest[:, None, None], axis=2)[:, :, 0]
-        order = np.take_along_axis(order, keys.argsort(axis=1, kind="stable"), axis=1)
-        order = order.reshape(2 * len(order), -1)
-    return order
 
 
 def _squared(vectors: np.ndarray) -> np.ndarray:

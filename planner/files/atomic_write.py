@@ -2,16 +2,16 @@
 
 The content goes to a temporary name in the same folder, which then takes the place of the file in one step. A process
 that is killed before leaves its temporary file behind; it holds no lock any more, by which the next writer in that
-folder knows it, and removes it.
+folder knows it, and removes it. Where there are no locks, as on Windows, it stays.
 """
 
 import contextlib
-import fcntl
 import os
 import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 
 from planner.errors import OutputError
@@ -19,6 +19,9 @@ from planner.files.bounded_read import kind_of, reason
 
 BEGIN, END = ".rhograsp-", ".tmp"
 """Of the names of temporary files."""
+
+LOCKS = find_spec("fcntl") is not None
+"""Whether this system has them."""
 
 
 def write_atomically(path: Path, content: bytes) -> None:
@@ -35,7 +38,7 @@ def write_atomically(path: Path, content: bytes) -> None:
                 stream.write(content)
                 stream.flush()
                 os.fsync(descriptor)
-            os.fchmod(descriptor, 0o644)
+            temporary.chmod(0o644)
             temporary.replace(path)
     except (OSError, ValueError) as error:  # ValueError: a path that no file can have
         raise OutputError(
@@ -74,7 +77,7 @@ def _temporary(folder: Path) -> Iterator[tuple[int, Path]]:
     while True:
         descriptor, name = tempfile.mkstemp(dir=folder, prefix=BEGIN, suffix=END)
         with contextlib.suppress(OSError):  # no locks on this file system: nobody removes orphans there
-            fcntl.flock(descriptor, fcntl.LOCK_EX)
+            _lock(descriptor, wait=True)
         if os.fstat(descriptor).st_nlink:
             break
         os.close(descriptor)  # another writer took it for an orphan before it was locked
@@ -87,11 +90,26 @@ def _temporary(folder: Path) -> Iterator[tuple[int, Path]]:
 
 def _remove_orphans(folder: Path) -> None:
     """Remove the temporary files of writers that are no more."""
+    if not LOCKS:
+        return
     for orphan in folder.glob(f"{BEGIN}*{END}"):
         with contextlib.suppress(OSError):  # a living writer's, or another user's
             descriptor = os.open(orphan, os.O_RDWR | os.O_NOFOLLOW | os.O_NONBLOCK)
             try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                _lock(descriptor, wait=False)
                 orphan.unlink()
             finally:
                 os.close(descriptor)
+
+
+def _lock(descriptor: int, *, wait: bool) -> None:
+    """Take the lock of a file, until it is closed.
+
+    Raises:
+        OSError: If another has it and that is not waited for, or the file system knows no locks.
+    """
+    if not LOCKS:
+        return
+    import fcntl  # here: there is none on Windows
+
+    fcntl.flock(descriptor, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart
 
 
@@ -9,5 +10,7 @@ def shaded_surface(part: ConvexPart) -> np.ndarray:
     """Corners of a part's triangles with their exact outward normals, shape (3 triangles, 6)."""
     triangles, facets = part.triangles()
     corners = triangles.reshape(-1, 3)
+    if isinstance(part, Polyhedron):  # its normals do not change over a facet
+        return np.hstack([corners, part.normals[np.repeat(facets, 3)]])
     _, inward = part.project(corners, np.repeat(facets, 3))
     return np.hstack([corners, -inward])

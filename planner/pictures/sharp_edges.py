@@ -18,17 +18,16 @@ def sharp_edges(triangles: np.ndarray) -> np.ndarray:
         triangles: Triangles of the surface, shape (triangles, 3, 3) [m], all with the same orientation.
     """
     normals = unit(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]))
-    waiting: dict[frozenset[tuple[float, ...]], tuple[np.ndarray, np.ndarray]] = {}
-    sharp = []
-    for triangle, normal in zip(triangles, normals, strict=True):
-        for start, stop in ((0, 1), (1, 2), (2, 0)):
-            edge = triangle[[start, stop]]
-            key = frozenset(tuple(corner) for corner in (np.round(edge, DECIMALS) + 0.0).tolist())
-            if key not in waiting:
-                waiting[key] = edge, normal
-                continue
-            _, other = waiting.pop(key)
-            if normal @ other < SHARP:
-                sharp.append(edge)
-    ends = [edge for key, (edge, _) in waiting.items() if len(key) == 2]
-    return np.array(sharp + ends).reshape(-1, 2, 3)
+    edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
+    rounded = np.round(edges.reshape(-1, 3), DECIMALS) + 0.0
+    corners = np.unique(rounded, axis=0, return_inverse=True)[1].reshape(-1, 2)
+    _, edge_of, shared = np.unique(np.sort(corners, axis=1), axis=0, return_inverse=True, return_counts=True)
+    together = np.argsort(edge_of.ravel(), kind="stable")
+    turn = np.arange(len(edges)) - np.repeat(shared.cumsum() - shared, shared)  # which triangle of its edge each is
+    second = np.flatnonzero(turn % 2 == 1)
+    lasting = (turn % 2 == 0) & (turn == np.repeat(shared, shared) - 1)
+    one, other = together[second - 1], together[second]
+    turned = (normals[one // 3] * normals[other // 3]).sum(axis=1) < SHARP
+    ends = together[lasting]
+    ends = ends[corners[ends, 0] != corners[ends, 1]]
+    return edges[np.concatenate([np.sort(other[turned]), np.sort(ends)])]

@@ -2,13 +2,12 @@
 
 It cannot be interrupted, and a small file can keep it busy for hours or ask it for any amount of memory. So the first
 time a file is compiled this is rehearsed in a copy of the process, which the system ends when it takes too much. That
-costs a few hundredths of a second, or as long again as a compiler takes that is busy for longer.
+costs a few hundredths of a second, or as long again as a compiler takes that is busy for longer. Where a process cannot
+be copied, as on Windows, there are no limits but those of `compile_effort`.
 """
 
 import faulthandler
 import os
-import pickle
-import resource
 import signal
 import sys
 import traceback
@@ -18,7 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
-from planner.errors import ObjectError, RhograspError
+from planner.errors import MasslessError, ObjectError
 from planner.objects.mjcf.compile_effort import named_files
 
 MOST_SECONDS = 60.0
@@ -26,6 +25,12 @@ MOST_SECONDS = 60.0
 
 MOST_BYTES = 2**32
 """Memory for one compilation; a mesh of 200,000 facets takes an eighth of it."""
+
+DONE = "done"
+"""What the copy answers when it has compiled."""
+
+REFUSALS = {kind.__name__: kind for kind in (ObjectError, MasslessError)}
+"""What it answers else, by name, with the message on the lines below."""
 
 STANDARD_ERROR = 2
 """As a file descriptor."""
@@ -51,9 +56,10 @@ def compile_bounded(
         most_bytes: Memory it may take beyond what this process has.
 
     Raises:
-        ObjectError: If it takes too long or too much memory, or crashes the compiler.
-        RhograspError: Those of `compiled`.
+        ObjectError: If it takes too long or too much memory, crashes the compiler, or is refused by `compiled`.
     """
+    if not hasattr(os, "fork"):
+        return compiled()
     state = tuple((file.resolve(), file.stat().st_size, file.stat().st_mtime_ns) for file in named_files(path))
     if state not in rehearsed:
         _rehearse(path, compiled, seconds, most_bytes)
@@ -71,29 +77,29 @@ def _rehearse(path: Path, compiled: Callable[[], object], seconds: float, most_b
         _work(writer, compiled, seconds, most_bytes)
     os.close(writer)
     try:
-        with os.fdopen(reader, "rb") as stream:
+        with os.fdopen(reader, encoding="utf-8", errors="surrogateescape", newline="") as stream:
             answer = stream.read()
     finally:
         os.kill(child, signal.SIGKILL)  # it has ended, unless this wait was interrupted
         status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     if not answer:
         raise ObjectError(_given_up(path, status, seconds, most_bytes))
-    error = pickle.loads(answer)
-    if error is not None:
-        raise error
+    kind, _, message = answer.partition("\n")
+    if kind != DONE:
+        raise REFUSALS[kind](message)
 
 
 def _work(writer: int, compiled: Callable[[], object], seconds: float, most_bytes: int) -> NoReturn:
     """The copy: compile, answer, end; whatever happens, it never returns into the program it is a copy of."""
-    error = None
+    answer = DONE
     try:
         _end_me_after(seconds)
         with _memory(most_bytes):
             try:
                 compiled()
-            except RhograspError as refusal:
-                error = refusal
-        os.write(writer, pickle.dumps(error))
+            except ObjectError as refusal:
+                answer = f"{type(refusal).__name__}\n{refusal}"
+        os.write(writer, answer.encode("utf-8", "surrogateescape"))
     finally:
         if not isinstance(sys.exception(), MemoryError | None):
             traceback.print_exc()
@@ -102,6 +108,8 @@ def _work(writer: int, compiled: Callable[[], object], seconds: float, most_byte
 
 def _end_me_after(seconds: float) -> None:
     """Let the system end this process by a signal; what dying compilers say is not for the terminal."""
+    import resource  # here and below: there is none on Windows
+
     faulthandler.disable()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, signal.SIG_DFL)  # handlers would wait for the compiler
@@ -117,6 +125,8 @@ def _memory(most_bytes: int) -> Iterator[None]:
     if not STATES.exists():
         yield
         return
+    import resource
+
     before, most = resource.getrlimit(resource.RLIMIT_AS)
     own = int(STATES.read_text().split()[0]) * resource.getpagesize()
     bounds = [own + most_bytes, *(limit for limit in (before, most) if limit != resource.RLIM_INFINITY)]

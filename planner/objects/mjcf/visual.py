@@ -138,13 +138,15 @@ def _distances(rigid_object: RigidObject, points: np.ndarray, generator: np.rand
     """To the outer surface, shape (n,) [m]: to the triangles on which the nearest of many random points lie."""
     triangles, part, facet = whole_surface(rigid_object)
     drawn, index = random_points(triangles, TOUCHED, generator)
+    if len(triangles) > TOUCHED:  # few of them have a random point
+        drawn = np.concatenate([drawn, triangles.mean(axis=1)])
+        index = np.concatenate([index, np.arange(len(triangles))])
     drawn, normals = project(rigid_object, drawn, part[index], facet[index])
     outside = exposed(rigid_object, drawn, normals, part[index])
     nearest, neighbours = cKDTree(drawn[outside]).query(points, k=NEIGHBOURS)
     near = index[outside][neighbours.ravel()]
     repeated = np.repeat(points, NEIGHBOURS, axis=0)
-    feet = nearest_on_triangles(triangles[near], repeated)
-    feet, normals = project(rigid_object, feet, part[near], facet[near])
+    feet, normals = project(rigid_object, nearest_on_triangles(triangles[near], repeated), part[near], facet[near])
     hidden = ~exposed(rigid_object, feet, normals, part[near])
     to_feet = np.where(hidden, np.inf, norm(feet - repeated)).reshape(neighbours.shape)
     return np.minimum(to_feet.min(axis=1), nearest[:, 0])

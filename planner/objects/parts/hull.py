@@ -8,6 +8,8 @@ facets come in an order that depends on the geometry alone, not on how qhull hap
 from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from planner.errors import ObjectError
@@ -22,6 +24,9 @@ LEAST_THICKNESS = 1e-5
 
 CHUNK = 64
 """Planes compared with all corners at once: bounds the memory, and is fast."""
+
+MOST_COMPARED = 4096
+"""With more triangles than these, only neighbours are asked whether they are coplanar."""
 
 
 class Facets(NamedTuple):
@@ -60,21 +65,21 @@ def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
     except (QhullError, ValueError) as error:
         raise ObjectError(f"the convex hull of geom '{geom}' is degenerate: its vertices span no volume") from error
     normals, offsets = hull.equations[:, :3], -hull.equations[:, 3]
-    thickness = (offsets - (scaled @ normals.T).min(axis=0)).min()
+    thickness = _thickness(scaled, normals, offsets)
     if thickness < LEAST_THICKNESS:
         raise ObjectError(
             f"geom '{geom}' is flat: its hull is {in_mm(thickness * diagonal, 2)} mm thick and {in_mm(diagonal, 2)} mm "
             f"long; a collision geom must be thicker than {LEAST_THICKNESS:g} of its length"
         )
-    outlines = [_polygon(scaled, *group) for group in _coplanar_groups(scaled, hull)]
-    polygons = [outline for outline in outlines if len(outline) >= 3]
+    polygons = _outlines(scaled, hull)
     planes = _planes(scaled, polygons)
     order = np.lexsort(np.round(planes, 6).T[::-1])
-    used = np.unique(np.concatenate(polygons))
+    used, corners = np.unique(np.concatenate([polygons[facet] for facet in order]), return_inverse=True)
+    ends = np.cumsum([len(polygons[facet]) for facet in order])
     normals = planes[order, :3]
     return Facets(
         vertices=scaled[used] * diagonal + middle,
-        polygons=tuple(np.searchsorted(used, polygons[facet]) for facet in order),
+        polygons=tuple(np.split(corners, ends[:-1])),
         normals=normals,
         offsets=planes[order, 3] * diagonal + normals @ middle,
     )
@@ -87,16 +92,70 @@ def _canonical(points: np.ndarray) -> np.ndarray:
     return points[first]
 
 
-def _coplanar_groups(points: np.ndarray, hull: ConvexHull) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Point indices and outward normal of each facet, gathered about the largest triangle not yet taken."""
-    triangles = hull.simplices
-    normals, offsets = hull.equations[:, :3], -hull.equations[:, 3]
+def _thickness(points: np.ndarray, normals: np.ndarray, offsets: np.ndarray) -> float:
+    """Least width of a hull along its facets' normals, or a lower bound of it that is thick enough.
+
+    The largest ball inside about the mean corner is such a bound; only of a thin hull all corners are asked.
+    """
+    ball = 2 * float((offsets - normals @ points.mean(axis=0)).min())
+    if ball >= LEAST_THICKNESS:
+        return ball
+    chunks = (slice(start, start + CHUNK) for start in range(0, len(offsets), CHUNK))
+    return float(min((offsets[some] - (points @ normals[some].T).min(axis=0)).min() for some in chunks))
+
+
+def _outlines(points: np.ndarray, hull: ConvexHull) -> list[np.ndarray]:
+    """Corners of each facet, counter-clockwise seen from outside."""
+    triangles, normals = hull.simplices, hull.equations[:, :3]
     first, second, third = (points[triangles[:, corner]] for corner in range(3))
     areas = np.linalg.norm(np.cross(second - first, third - first), axis=1)
+    largest_first = np.argsort(-areas, kind="stable")
+    clusters = _clusters(points, hull)[largest_first]
+    together = largest_first[np.argsort(clusters, kind="stable")]
+    sizes = np.bincount(clusters)
+    single = np.repeat(sizes == 1, sizes)
+    outlines = list(_triangles(points, np.sort(triangles[together[single]], axis=1), normals[together[single]]))
+    for cluster in np.split(together[~single], sizes[sizes > 1].cumsum()[:-1]) if (~single).any() else []:
+        for corners, normal in _coplanar_groups(points, triangles[cluster], hull.equations[cluster]):
+            outlines.append(_polygon(points, corners, normal))
+    return [outline for outline in outlines if len(outline) >= 3]
+
+
+def _clusters(points: np.ndarray, hull: ConvexHull) -> np.ndarray:
+    """Number of the cluster of each triangle, shape (triangles,); coplanar ones are in the same cluster.
+
+    Of few triangles all are in one. Of many, a cluster is what neighbours that are coplanar hold together: by convexity
+    coplanar triangles are in one piece.
+    """
+    triangles, neighbours, count = hull.simplices, hull.neighbors, len(hull.simplices)
+    if count <= MOST_COMPARED:
+        return np.zeros(count, dtype=int)
+    normals, offsets = hull.equations[:, :3], -hull.equations[:, 3]
+    heights = np.einsum("tncd,td->tnc", points[triangles[neighbours]], normals) - offsets[:, None, None]
+    alike = np.einsum("tnd,td->tn", normals[neighbours], normals) > 0
+    triangle, side = np.nonzero((np.abs(heights) <= MERGE_TOLERANCE).all(axis=2) & alike)
+    pairs = (np.ones(len(triangle), dtype=bool), (triangle, neighbours[triangle, side]))
+    labels: np.ndarray = connected_components(coo_array(pairs, shape=(count, count)), directed=False)[1]
+    return labels
+
+
+def _coplanar_groups(
+    points: np.ndarray, triangles: np.ndarray, planes: np.ndarray
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Point indices and outward normal of each facet, gathered about the largest triangle not yet taken.
+
+    Args:
+        points: Shape (n, 3).
+        triangles: Indices of their corners, the largest triangle first, shape (triangles, 3).
+        planes: Outward unit normal and negative offset of each, shape (triangles, 4).
+    """
+    corners, triangles = np.unique(triangles, return_inverse=True)
+    points, triangles = points[corners], triangles.reshape(-1, 3)
+    normals, offsets = planes[:, :3], -planes[:, 3]
     free = np.ones(len(triangles), dtype=bool)
     groups = []
-    order = np.argsort(-areas, kind="stable")
-    for seeds in np.split(order, range(CHUNK, len(order), CHUNK)):
+    for seeds in np.split(np.arange(len(triangles)), range(CHUNK, len(triangles), CHUNK)):
+        seeds = seeds[free[seeds]]
         on_plane = np.abs(points @ normals[seeds].T - offsets[seeds]) <= MERGE_TOLERANCE
         alike = on_plane[triangles].all(axis=1) & (normals @ normals[seeds].T > 0)
         for seed, flush in zip(seeds, alike.T, strict=True):
@@ -104,8 +163,15 @@ def _coplanar_groups(points: np.ndarray, hull: ConvexHull) -> list[tuple[np.ndar
                 group = free & flush
                 group[seed] = True
                 free &= ~group
-                groups.append((np.unique(triangles[group]), normals[seed]))
+                groups.append((corners[np.unique(triangles[group])], normals[seed]))
     return groups
+
+
+def _triangles(points: np.ndarray, corners: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """Triangles, corners of shape (n, 3), made counter-clockwise about their normals, from the first corner on."""
+    first, second, third = points[corners].transpose(1, 0, 2)
+    clockwise = np.linalg.det(np.stack([first - third, second - third, normals], axis=1)) <= 0
+    return np.where(clockwise[:, None], corners[:, [0, 2, 1]], corners)
 
 
 def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.ndarray:
@@ -114,8 +180,8 @@ def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.
     Andrew's monotone chain; points within MERGE_TOLERANCE of an edge are not corners.
     """
     if len(corners) == 3:
-        first, second, third = points[corners]
-        return corners if np.linalg.det([first - third, second - third, normal]) > 0 else corners[[0, 2, 1]]
+        outline: np.ndarray = _triangles(points, corners[None], normal[None])[0]
+        return outline
     first_axis = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
     axes = np.stack([first_axis, np.cross(normal, first_axis)])
     plane_points = points[corners] @ axes.T / np.linalg.norm(first_axis)

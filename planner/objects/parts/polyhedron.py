@@ -1,19 +1,21 @@
 """The points with normal_k . p <= offset_k for every facet k: a mesh geom collides as this hull of its vertices."""
 
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from planner.objects.parts.hull import MERGE_TOLERANCE, convex_facets
+from planner.objects.parts.planes import MOST_ASKED, Planes
 from planner.objects.vectors import norm
-
-CHUNK = 4096
-"""Points compared with all facets at once: bounds the memory of `depth`."""
 
 TIE = 1e-9
 """Facets whose distances differ by less than this, relative to the part's size, are equally near."""
+
+CORE = 300
+"""Facets whose corners span the core of a polyhedron of many facets."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -55,34 +57,58 @@ class Polyhedron:
 
     def triangles(self) -> tuple[np.ndarray, np.ndarray]:
         """Each facet fanned about its first corner; see `ConvexPart.triangles`."""
-        corners = [(facet, ring[0], *pair) for facet, ring in enumerate(self.polygons) for pair in pairwise(ring[1:])]
-        table = np.array(corners)
-        return self.vertices[table[:, 1:]], table[:, 0]
+        corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
+        facets = np.repeat(np.arange(len(counts)), counts - 2)
+        first = (counts.cumsum() - counts)[facets]
+        second = np.arange(len(facets)) + 2 * facets + 1  # every facet before has two corners more than triangles
+        return self.vertices[corners[np.column_stack([first, second, second + 1])]], facets
 
     def nearest_facet(self, points: np.ndarray) -> np.ndarray:
         """See `ConvexPart.nearest_facet`; the first of equally near facets."""
-        slack = self._slack(points)
-        return (slack <= slack.min(axis=1, keepdims=True) + TIE * self._length).argmax(axis=1)
+        return self._planes.nearest(points, TIE * self._length)
 
     def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """See `ConvexPart.project`."""
         normals = self.normals[facets]
         height = (points * normals).sum(axis=1) - self.offsets[facets]
         feet = points - height[:, None] * normals
-        for index in np.flatnonzero(self.depth(feet) < -MERGE_TOLERANCE * self._length):
+        doubtful = np.arange(len(feet)) if len(self.offsets) <= MOST_ASKED else self._beside(feet, facets)
+        outside = doubtful[self.depth(feet[doubtful]) < -MERGE_TOLERANCE * self._length]
+        for index in outside:
             feet[index] = _nearest_in_polygon(self.vertices[self.polygons[facets[index]]], normals[index], feet[index])
         return feet, -normals
 
     def depth(self, points: np.ndarray) -> np.ndarray:
-        """See `ConvexPart.depth`."""
-        chunks = [self._slack(points[start : start + CHUNK]).min(axis=1) for start in range(0, len(points), CHUNK)]
-        return np.concatenate(chunks) if chunks else np.zeros(0)
+        """See `ConvexPart.depth`; of many facets the nearest is sought only for points outside of the core."""
+        if len(self.offsets) <= MOST_ASKED:
+            return self._planes.depth(points)
+        depths = self._core.depth(points) - MERGE_TOLERANCE * self._length  # corners may stick out of planes by that
+        outside = np.flatnonzero(depths <= 0)
+        depths[outside] = self._planes.depth(points[outside])
+        return depths
 
-    def _slack(self, points: np.ndarray) -> np.ndarray:
-        """How far each point lies below each facet's plane, shape (n, facets) [m]."""
-        return self.offsets - points @ self.normals.T
+    def _beside(self, feet: np.ndarray, facets: np.ndarray) -> np.ndarray:
+        """Indices of the points of facets' planes that are not in the first triangle of their facet."""
+        corners = self.vertices[np.array([self.polygons[facet][:3] for facet in facets]).reshape(-1, 3)]
+        edges = np.roll(corners, -1, axis=1) - corners
+        sides = np.cross(edges, feet[:, None] - corners) @ self.normals[facets][:, :, None]
+        return np.flatnonzero((sides[..., 0] < 0).any(axis=1))
 
-    @property
+    @cached_property
+    def _planes(self) -> Planes:
+        corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
+        sums = np.add.reduceat(self.vertices[corners], counts.cumsum() - counts)
+        return Planes(normals=self.normals, offsets=self.offsets, middles=sums / counts[:, None])
+
+    @cached_property
+    def _core(self) -> Planes:
+        """Hull of the corners of some facets: a point is in the polyhedron as deep as in this, or deeper."""
+        some = self.polygons[:: len(self.polygons) // CORE]
+        hull = ConvexHull(self.vertices[np.unique(np.concatenate(some))])
+        middles = hull.points[hull.simplices].mean(axis=1)
+        return Planes(normals=hull.equations[:, :3], offsets=-hull.equations[:, 3], middles=middles)
+
+    @cached_property
     def _length(self) -> float:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 

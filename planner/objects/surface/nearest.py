@@ -148,20 +148,18 @@ class _Patches:
 
 
 def nearest_on_triangles(triangles: np.ndarray, point: np.ndarray) -> np.ndarray:
-    """Nearest point of each triangle to a point: its foot on the plane or on an edge.
+    """Nearest point of each triangle, shape (n, 3, 3), to a point, shape (3,), or to one each, shape (n, 3).
 
-    Args:
-        triangles: Shape (n, 3, 3) [m].
-        point: One for all, shape (3,), or one for each, shape (n, 3) [m].
+    It is the foot on the triangle's plane or on an edge.
 
     Returns:
         Shape (n, 3) [m].
     """
     starts, edges = triangles, np.roll(triangles, -1, axis=1) - triangles
-    squares = (edges * edges).sum(axis=2)
-    along = ((point[..., None, :] - starts) * edges).sum(axis=2) / np.where(squares > 0, squares, 1.0)
+    squares, to = (edges * edges).sum(axis=2), point[..., None, :]
+    along = ((to - starts) * edges).sum(axis=2) / np.where(squares > 0, squares, 1.0)
     on_edges = starts + np.clip(along, 0, 1)[..., None] * edges
-    nearest_edge = norm(on_edges - point[..., None, :]).argmin(axis=1)
+    nearest_edge = norm(on_edges - to).argmin(axis=1)
     nearest = on_edges[np.arange(len(triangles)), nearest_edge]
     areas = np.cross(edges[:, 0], edges[:, 1])
     heights = ((point - triangles[:, 0]) * areas).sum(axis=1) / np.maximum((areas * areas).sum(axis=1), 1e-300)

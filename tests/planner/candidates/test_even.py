@@ -48,7 +48,8 @@ def test_the_seed_decides_and_the_platform_does_not() -> None:
         rounded = np.round(candidates.contacts.points * 1e9).astype(np.int64)
         return hashlib.sha256(rounded.astype("<i8").tobytes()).hexdigest()[:16]
 
-    assert digest(0) == "1efa6048f78fdf9a"
+    # parts 0 and 4 lie inside others; the points are as they are because none are drawn on parts that others hold
+    assert digest(0) == "e75cac72386b8c2d"
     assert digest(1) != digest(0)
 
 

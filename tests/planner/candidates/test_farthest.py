@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from planner.candidates.farthest import farthest_points, neighbour_blocks
+from planner.candidates.farthest import farthest_points
+from planner.objects.neighbour_blocks import neighbour_blocks
 
 
 def plain_farthest_points(pool: np.ndarray, count: int) -> list[int]:

@@ -135,7 +135,7 @@ def test_the_longest_name_can_be_written(tmp_path: Path) -> None:
     assert (tmp_path / ("n" * 255)).read_bytes() == b"all"
 
 
-@pytest.mark.parametrize("failing", ["os.fsync", "os.fchmod", "tempfile.mkstemp"])
+@pytest.mark.parametrize("failing", ["os.fsync", "os.chmod", "tempfile.mkstemp"])
 def test_a_full_device_leaves_the_old_file_and_nothing_else(
     failing: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

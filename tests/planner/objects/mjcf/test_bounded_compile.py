@@ -3,6 +3,8 @@
 import os
 import signal
 import socket
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -11,12 +13,12 @@ from types import FrameType
 import mujoco
 import pytest
 
-from planner.errors import ObjectError
+from planner.errors import MasslessError, ObjectError
 from planner.objects.mjcf.bounded_compile import MOST_SECONDS, compile_bounded
 from planner.objects.mjcf.compile_effort import MOST_ELEMENTS, require_moderate
 from planner.objects.mjcf.compiled import compile_mjcf
 from planner.objects.mjcf.reader import read_object
-from tests.tools.commands import run
+from tests.tools.commands import ROOT, run
 from tests.tools.shared import shared
 
 BALL = '<geom size=".1"/>'
@@ -198,3 +200,31 @@ def test_a_compilers_complaint_is_what_it_was(tmp_path: Path) -> None:
 def test_the_file_that_once_hung_it_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert run("grasp-inspect", shared("faults", "mjcf_hang", "o.xml")) == 1
     assert "100,000 of them copies of one <geom>" in capsys.readouterr().err
+
+
+def test_the_copy_tells_the_kind_of_its_refusal_and_every_letter(tmp_path: Path) -> None:
+    path = tmp_path / "ö\r\n.xml"
+    path.write_text("<mujoco><worldbody><body><freejoint/><geom size='.1' mass='0'/></body></worldbody></mujoco>")
+    with pytest.raises(MasslessError) as refused:
+        compile_mjcf(path)
+    assert str(refused.value).startswith(f"MuJoCo cannot compile '{path}': ")
+    assert str(refused.value).endswith("give the object's with --mass")
+
+
+def test_where_processes_are_not_copied_the_compiler_runs_in_place(tmp_path: Path) -> None:
+    path = written(tmp_path, BALL)
+    script = f"""
+import os, sys
+del os.fork
+sys.modules["resource"] = sys.modules["fcntl"] = None
+from pathlib import Path
+from planner.files.atomic_write import write_atomically
+from planner.objects.mjcf.compiled import compile_mjcf
+path = Path({str(path)!r})
+print(compile_mjcf(path)[0].ngeom)
+write_atomically(path.with_name("out"), b"whole")
+"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ("1\n", "")
+    assert (tmp_path / "out").read_bytes() == b"whole"
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["o.xml", "out"]

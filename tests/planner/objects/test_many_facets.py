@@ -1,0 +1,145 @@
+"""A mesh of many facets is read and planned on in bounded memory and in seconds, with what all facets would say."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+import planner.objects.parts.hull as hulls
+from planner.objects.mjcf.reader import read_object
+from planner.objects.mjcf.visual import visual_difference
+from planner.objects.parts.planes import MOST_ASKED, Planes
+from planner.objects.parts.polyhedron import TIE, Polyhedron
+from planner.objects.vectors import norm
+from planner.pictures.sharp_edges import sharp_edges
+from tests.tools.commands import ROOT
+
+RADIUS, MOST_BYTES, MOST_SECONDS = 0.03, 1e9, 60
+FAR = np.array([1.0, -2.0, 0.5])
+"""Where a body frame may be, metres from the object."""
+
+READ_AND_CHOOSE = """
+import resource, sys
+from pathlib import Path
+from planner.candidates.choice import make_candidates
+from planner.objects.object_file import read_object_file
+ball = read_object_file(Path(sys.argv[1]))
+candidates = make_candidates(ball, "300")
+print(len(ball.parts[0].polygons), len(candidates), 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+def test_a_ball_of_80_000_facets_is_read_and_gets_candidates_in_a_gigabyte(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", READ_AND_CHOOSE, str(ball(tmp_path, subdivisions=6))]
+    output = subprocess.check_output(command, cwd=ROOT, text=True, timeout=MOST_SECONDS)
+    facets, candidates, peak = map(int, output.split())
+    assert (facets, candidates) == (81_920, 300)
+    assert peak < MOST_BYTES
+
+
+def test_a_fine_mesh_that_is_its_own_hull_looks_as_it_collides(tmp_path: Path) -> None:
+    difference = visual_difference(read_object(ball(tmp_path, subdivisions=5)))
+    assert difference is not None
+    assert difference.largest < 1e-6 * RADIUS
+
+
+def ball(folder: Path, subdivisions: int) -> Path:
+    """A file with a ball of 20 * 4^subdivisions facets."""
+    trimesh.creation.icosphere(subdivisions=subdivisions, radius=RADIUS).export(folder / "ball.stl")
+    path = folder / "ball.xml"
+    path.write_text(
+        '<mujoco><asset><mesh name="b" file="ball.stl"/></asset><worldbody><body><freejoint/><geom type="mesh" '
+        'mesh="b" mass="0.2"/></body></worldbody></mujoco>'
+    )
+    return path
+
+
+def lump(corners: int, half_lengths: tuple[float, float, float], at: np.ndarray = FAR) -> Polyhedron:
+    """An ellipsoid of about twice as many facets as corners."""
+    directions = np.random.default_rng(corners).normal(size=(corners, 3))
+    vertices = directions / norm(directions)[:, None] * half_lengths + at
+    return Polyhedron.hull(vertices, geom="lump", friction=0.5)
+
+
+def near_and_far(part: Polyhedron) -> np.ndarray:
+    """Points inside, on, and outside of a part: also its corners, and the middles of facets and of edges."""
+    triangles, _ = part.triangles()
+    lower, upper = 2 * part.bounds() - part.bounds().mean(axis=0)
+    anywhere = np.random.default_rng(0).uniform(lower, upper, (500, 3))
+    on = [triangles.mean(axis=1)[::40], triangles[::40, :2].mean(axis=1), part.vertices[::40]]
+    return np.concatenate([anywhere, part.bounds().mean(axis=0)[None], *on])
+
+
+@pytest.mark.parametrize("half_lengths", [(0.03, 0.03, 0.03), (0.03, 0.02, 0.1), (0.001, 0.03, 0.03), (1e-3,) * 3])
+def test_the_nearest_of_many_facets_is_the_one_that_all_would_name(half_lengths: tuple[float, float, float]) -> None:
+    part = lump(3000, half_lengths)
+    assert len(part.offsets) > MOST_ASKED
+    points = near_and_far(part)
+    planes = Planes(
+        normals=part.normals, offsets=part.offsets, middles=part.vertices[[ring[0] for ring in part.polygons]]
+    )
+    below = planes.below(points)
+    np.testing.assert_allclose(planes.depth(points), below.min(axis=1), atol=1e-14)
+    length = float(norm(np.ptp(part.vertices, axis=0)))
+    first = (below <= below.min(axis=1, keepdims=True) + TIE * length).argmax(axis=1)
+    assert (part.nearest_facet(points) == first).all()
+
+
+def test_depth_in_many_facets_keeps_its_sign_and_never_exceeds_the_distance() -> None:
+    part = lump(3000, (0.03, 0.02, 0.05))
+    points = near_and_far(part)
+    depths, below = part.depth(points), (part.offsets - points @ part.normals.T).min(axis=1)
+    clear = np.abs(below) > 1e-14
+    assert ((depths > 0) == (below > 0))[clear].all()
+    assert (depths <= below + 1e-14).all()
+    np.testing.assert_allclose(depths[below < 0], below[below < 0], atol=1e-14)
+    assert (below > 0).any() and (below < 0).any()
+
+
+def test_feet_on_many_facets_are_where_all_facets_put_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    part = lump(3000, (0.03, 0.02, 0.05))
+    triangles, facets = part.triangles()
+    rises = np.random.default_rng(1).normal(size=(len(facets), 3)) * [1e-4, 1e-4, 1e-3]
+    feet, normals = part.project(triangles.mean(axis=1) + rises, facets)
+    monkeypatch.setattr("planner.objects.parts.polyhedron.MOST_ASKED", len(facets))
+    monkeypatch.setattr("planner.objects.parts.planes.MOST_ASKED", len(facets))
+    plain, same = part.project(triangles.mean(axis=1) + rises, facets)
+    np.testing.assert_allclose(feet, plain, atol=1e-15)
+    assert (normals == same).all()
+
+
+def tube() -> np.ndarray:
+    """A drum of quadrangles, some cut into many, and two faces of many corners."""
+    angles = np.arange(60) * np.pi / 30
+    ring = np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.concatenate([np.column_stack([ring, np.full(60, z)]) for z in (-1, -0.3, 0.2, 1)])
+
+
+@pytest.mark.parametrize("precision", [np.float32, np.float64])
+def test_coplanar_triangles_found_among_neighbours_are_those_found_among_all(
+    precision: type, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shapes = [
+        tube(),
+        trimesh.creation.uv_sphere(count=[20, 30]).vertices,
+        np.random.default_rng(2).normal(size=(99, 3)),
+    ]
+    for points in (shape.astype(precision).astype(float) for shape in shapes):
+        plain = hulls.convex_facets(points, "g")
+        monkeypatch.setattr(hulls, "MOST_COMPARED", 0)
+        fast = hulls.convex_facets(points, "g")
+        monkeypatch.undo()
+        assert [ring.tolist() for ring in fast.polygons] == [ring.tolist() for ring in plain.polygons]
+        np.testing.assert_allclose(fast.normals, plain.normals, atol=1e-14)
+
+
+def test_a_sphere_has_no_sharp_edges_and_half_of_it_has_a_rim() -> None:
+    sphere = trimesh.creation.icosphere(subdivisions=5)
+    assert len(sharp_edges(sphere.triangles)) == 0
+    upper = sphere.triangles[sphere.triangles[:, :, 2].min(axis=1) > 0]
+    rim = np.unique(sharp_edges(upper).reshape(-1, 3).round(9), axis=0)
+    assert 2 * len(rim) == 2 * len(sharp_edges(upper)) < len(upper)  # a closed line
+    assert rim[:, 2].max() < 0.1
