@@ -11,6 +11,15 @@ from tests.tools.commands import MAINS, ROOT, run
 
 README = (ROOT / "README.md").read_text()
 
+RESULTS = sorted((ROOT / "assets" / "results").glob("*.md"))
+
+MOST_LINES = 200
+
+
+def links(page: Path) -> list[str]:
+    """Files that a page links or shows, relative to it."""
+    return [link for link in re.findall(r"\]\(([^)#]+)\)", page.read_text()) if "://" not in link]
+
 
 def blocks(language: str) -> list[str]:
     """Contents of the fenced blocks of a language; the empty name is plain text."""
@@ -61,3 +70,20 @@ def test_the_tree_of_the_readme_exists() -> None:
         for name in names[0].split() if names else ():
             folder = name if not line.startswith(" ") else folder
             assert (ROOT / name).exists() or (ROOT / folder / name).exists(), name
+
+
+def test_the_readme_stays_short_and_what_it_links_exists() -> None:
+    assert len(README.splitlines()) <= MOST_LINES
+    pages = {ROOT / "README.md", *RESULTS}
+    assert {ROOT / link for link in links(ROOT / "README.md")} >= set(RESULTS)
+    for page in pages:
+        for link in links(page):
+            assert (page.parent / link).exists(), f"{page.name} links {link}"
+
+
+@pytest.mark.parametrize("page", RESULTS, ids=lambda page: page.stem)
+def test_every_page_of_results_names_its_command_date_and_version(page: Path) -> None:
+    text = page.read_text()
+    assert (ROOT / re.findall(r"`python\s+(scripts/\w+\.py) ", text)[0]).is_file()
+    assert re.search(r"version 0\.1\.0", text) and re.search(r"\b20\d\d-\d\d-\d\d\b", text)
+    assert re.search(r"two (busy )?cores", text, re.IGNORECASE)

@@ -13,9 +13,9 @@ from planner.objects.mass_doubts import union_volume
 from planner.objects.mjcf.compiled import compile_source
 from planner.objects.mjcf.model_tree import body_tree
 from planner.objects.mjcf.visual import visual_difference, warn_of_difference
-from planner.objects.mjcf.writer import PRIMITIVES
 from planner.objects.object_source import ObjectSource
 from planner.objects.parts.polyhedron import Polyhedron
+from planner.objects.parts.primitives import Primitive
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
@@ -139,7 +139,7 @@ def _slipperier(first: ConvexPart, second: ConvexPart) -> str:
 
 def _shape(part: ConvexPart) -> str:
     """Type and size of a part; MuJoCo's size, of half lengths and radii, for what is no mesh."""
-    if isinstance(part, PRIMITIVES):
+    if isinstance(part, Primitive):
         return f"{part.mjcf_type} of size {' '.join(in_mm(length) for length in part.size)} mm"
     edges = " x ".join(in_mm(edge) for edge in np.ptp(part.bounds(), axis=0))
     facets = f", {len(part.polygons)} facets" if isinstance(part, Polyhedron) else ""

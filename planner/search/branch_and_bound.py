@@ -18,7 +18,7 @@ from planner.arrays import Floats, Indices
 from planner.contact_models.models import free_to_turn
 from planner.search.constraints.constraint import Constraints
 from planner.search.constraints.distinct import Distinct
-from planner.search.constraints.spacing import Spacing
+from planner.search.constraints.every_grasp import on_every_grasp
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
 from planner.search.incumbents import SOLVER_ACCURACY, Incumbents
@@ -89,7 +89,7 @@ class BranchAndBound:
         self.cuts = CutTable(problem)
         self.tree = build_tree(problem)
         distinct = Distinct(problem, self.tree, before.subsets, method.apart)
-        self.constraints = Constraints((Spacing(problem, self.tree), distinct))
+        self.constraints = Constraints([*on_every_grasp(problem, self.tree), distinct])
         for direction in before.cuts:
             self.cuts.add(direction)
         self.bounds = NodeBounds(self.tree, self.cuts)

@@ -14,7 +14,8 @@ import numpy as np
 from planner.arrays import Floats, Mask
 from planner.contact_models.models import free_to_turn
 from planner.search.branch_and_bound import BATCH
-from planner.search.constraints.spacing import Spacing
+from planner.search.constraints.constraint import Constraints
+from planner.search.constraints.every_grasp import on_every_grasp
 from planner.search.cuts import CutTable
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
@@ -60,7 +61,7 @@ class _Walk:
     def __init__(self, problem: SearchProblem, everything: CutTable, threshold: float) -> None:
         self.threshold, self.everything, self.chosen = threshold, everything, CutTable(problem)
         self.tree = build_tree(problem)
-        self.spacing = Spacing(problem, self.tree)
+        self.constraints = Constraints(on_every_grasp(problem, self.tree))
         self.all_bounds, self.bounds = NodeBounds(self.tree, everything), NodeBounds(self.tree, self.chosen)
         self.all_bounds.extend()
         self.frontier = Frontier(problem.fingers)
@@ -69,7 +70,7 @@ class _Walk:
     def advance(self) -> bool:
         """Prune the most recent rows, by new cuts where needed, and split the others; False: a subset is not proven."""
         rows = self.frontier.pop(BATCH)
-        rows = rows[self.spacing.possible(rows.nodes)]
+        rows = rows[self.constraints.possible(rows.nodes)]
         self.bounds.extend()
         rows = self.bounds.bound(rows, self.threshold)
         rows = rows[rows.bounds > self.threshold]

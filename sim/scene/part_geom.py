@@ -1,18 +1,11 @@
 """One MJCF geom per convex part of the object, of the type MuJoCo collided it as in the object's own file."""
 
 from planner.errors import SimulationError
-from planner.objects.parts.box import Box
-from planner.objects.parts.capsule import Capsule
-from planner.objects.parts.cylinder import Cylinder
-from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.parts.sphere import Sphere
+from planner.objects.parts.primitives import Primitive
 from planner.objects.rigid_object import ConvexPart
 from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.units import Similarity
-
-PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule
-"""Parts that MuJoCo knows by a pose and a size."""
 
 
 def add_part(body: mjcf.Element, name: str, part: ConvexPart, similarity: Similarity) -> mjcf.Element:
@@ -29,7 +22,7 @@ def add_part(body: mjcf.Element, name: str, part: ConvexPart, similarity: Simila
     Raises:
         SimulationError: If the kind of part is unknown.
     """
-    if isinstance(part, PRIMITIVES):
+    if isinstance(part, Primitive):
         position = similarity.points(part.pose.position)
         shape = {"pos": position, "quat": part.pose.quaternion, "size": part.size * similarity.length}
     elif isinstance(part, Polyhedron):

@@ -19,12 +19,8 @@ from planner.objects.mjcf.compiled import CompiledObject, compile_object
 from planner.objects.mjcf.file_doubts import file_doubts
 from planner.objects.mjcf.mass_properties import MassProperties, combined
 from planner.objects.object_source import ObjectSource
-from planner.objects.parts.box import Box
-from planner.objects.parts.capsule import Capsule
-from planner.objects.parts.cylinder import Cylinder
-from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.parts.sphere import Sphere
+from planner.objects.parts.primitives import PRIMITIVES
 from planner.objects.plausibility import size_doubts
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
@@ -88,25 +84,15 @@ def _part(compiled: CompiledObject, geom: int) -> ConvexPart:
     friction, size = float(model.geom_friction[geom, 0]), model.geom_size[geom].copy()
     if not (np.isfinite(pose.position).all() and np.isfinite(pose.quaternion).all() and np.isfinite(size).all()):
         raise ObjectError(f"geom '{name}' has a size, position or orientation that is not finite: size {size}")
-    match mujoco.mjtGeom(model.geom_type[geom]):
-        case mujoco.mjtGeom.mjGEOM_MESH:
-            return _mesh_hull(compiled, geom, name, friction)
-        case mujoco.mjtGeom.mjGEOM_BOX:
-            return Box.placed(pose, size, geom=name, friction=friction)
-        case mujoco.mjtGeom.mjGEOM_SPHERE:
-            return Sphere(geom=name, friction=friction, pose=pose, radius=float(size[0]))
-        case mujoco.mjtGeom.mjGEOM_ELLIPSOID:
-            return Ellipsoid(geom=name, friction=friction, pose=pose, semi_axes=size)
-        case mujoco.mjtGeom.mjGEOM_CYLINDER:
-            return Cylinder(geom=name, friction=friction, pose=pose, radius=float(size[0]), half_length=float(size[1]))
-        case mujoco.mjtGeom.mjGEOM_CAPSULE:
-            return Capsule(geom=name, friction=friction, pose=pose, radius=float(size[0]), half_length=float(size[1]))
-        case other:
-            kind = other.name.removeprefix("mjGEOM_").lower()
-            raise ObjectError(
-                f"geom '{name}' is a {kind}, which is no convex solid; replace it by meshes, boxes, spheres, "
-                "ellipsoids, cylinders or capsules, or switch its collisions off"
-            )
+    kind = mujoco.mjtGeom(model.geom_type[geom]).name.removeprefix("mjGEOM_").lower()
+    if kind == "mesh":
+        return _mesh_hull(compiled, geom, name, friction)
+    if kind not in PRIMITIVES:
+        raise ObjectError(
+            f"geom '{name}' is a {kind}, which is no convex solid; replace it by meshes, boxes, spheres, "
+            "ellipsoids, cylinders or capsules, or switch its collisions off"
+        )
+    return PRIMITIVES[kind].placed(pose, size, geom=name, friction=friction)
 
 
 def _mesh_hull(compiled: CompiledObject, geom: int, name: str, friction: float) -> Polyhedron:

@@ -10,16 +10,9 @@ from xml.etree import ElementTree
 import numpy as np
 
 from planner.files.atomic_write import write_atomically
-from planner.objects.parts.box import Box
-from planner.objects.parts.capsule import Capsule
-from planner.objects.parts.cylinder import Cylinder
-from planner.objects.parts.ellipsoid import Ellipsoid
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.parts.sphere import Sphere
+from planner.objects.parts.primitives import Primitive
 from planner.objects.rigid_object import ConvexPart, RigidObject
-
-PRIMITIVES = Box | Sphere | Ellipsoid | Cylinder | Capsule
-"""Parts that MuJoCo knows by a pose and a size."""
 
 SEEN = "seen"
 """Name of the mesh that is only seen."""
@@ -72,7 +65,7 @@ def _add_inertial(body: ElementTree.Element, rigid_object: RigidObject) -> None:
 
 def _add_part(assets: ElementTree.Element, body: ElementTree.Element, number: int, part: ConvexPart) -> None:
     geom = ElementTree.SubElement(body, "geom", name=part.geom, friction=repr(part.friction), group="3", mass="0")
-    if isinstance(part, PRIMITIVES):
+    if isinstance(part, Primitive):
         geom.attrib |= {
             "type": part.mjcf_type,
             "pos": _numbers(part.pose.position),

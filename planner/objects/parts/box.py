@@ -30,11 +30,11 @@ class Box(Polyhedron):
         return self.half_lengths
 
     @classmethod
-    def placed(cls, pose: Pose, half_lengths: np.ndarray, *, geom: str, friction: float) -> "Box":
-        """The box of these half edge lengths, shape (3,) [m], at `pose`.
+    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Box":
+        """The box of these half edge lengths, shape (3,) [m], at `pose`; see `Primitive.placed`.
 
         Raises:
             ObjectError: If it is flat.
         """
-        facets = convex_facets(pose.to_body(CORNERS * half_lengths), geom)
-        return cls(geom=geom, friction=friction, pose=pose, half_lengths=half_lengths, **facets._asdict())
+        facets = convex_facets(pose.to_body(CORNERS * size), geom)
+        return cls(geom=geom, friction=friction, pose=pose, half_lengths=size, **facets._asdict())

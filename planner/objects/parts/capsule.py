@@ -31,6 +31,11 @@ class Capsule:
     half_length: float
     """h, half the length of the segment [m]."""
 
+    @classmethod
+    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Capsule":
+        """See `Primitive.placed`."""
+        return cls(geom=geom, friction=friction, pose=pose, radius=float(size[0]), half_length=float(size[1]))
+
     @property
     def size(self) -> np.ndarray:
         """MuJoCo's size vector, shape (2,) [m]."""

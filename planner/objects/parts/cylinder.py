@@ -33,6 +33,11 @@ class Cylinder:
     half_length: float
     """h [m]."""
 
+    @classmethod
+    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Cylinder":
+        """See `Primitive.placed`."""
+        return cls(geom=geom, friction=friction, pose=pose, radius=float(size[0]), half_length=float(size[1]))
+
     @property
     def size(self) -> np.ndarray:
         """MuJoCo's size vector, shape (2,) [m]."""

@@ -31,6 +31,11 @@ class Ellipsoid:
     semi_axes: np.ndarray
     """a, b, c along the axes of its own frame, shape (3,) [m]."""
 
+    @classmethod
+    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Ellipsoid":
+        """See `Primitive.placed`."""
+        return cls(geom=geom, friction=friction, pose=pose, semi_axes=size)
+
     @property
     def size(self) -> np.ndarray:
         """MuJoCo's size vector, shape (3,) [m]."""

@@ -28,6 +28,11 @@ class Sphere:
     radius: float
     """r [m]."""
 
+    @classmethod
+    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Sphere":
+        """See `Primitive.placed`."""
+        return cls(geom=geom, friction=friction, pose=pose, radius=float(size[0]))
+
     @property
     def size(self) -> np.ndarray:
         """MuJoCo's size vector, shape (1,) [m]."""

@@ -1,6 +1,6 @@
 """What the search asks of a condition on subsets beside their force.
 
-To add one: write its file, and name it in `BranchAndBound`. A condition on every grasp is stated in the certificate,
+To add one: write its file, and name it in `every_grasp`. A condition on every grasp is stated in the certificate,
 and `planner.verification` keeps to it in code of its own.
 """
 

@@ -9,7 +9,7 @@ from planner.search.minimal_cuts import minimal_cuts
 from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import BoundCheck, Claim, check_bound
 from planner.verification.proof_check import certificate_of
-from tests.planner.search.small_objects import settings, small_problem
+from tests.strategies.small_objects import settings, small_problem
 
 SEEDS = 200
 BLOCK = 20

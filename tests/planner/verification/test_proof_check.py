@@ -17,7 +17,7 @@ from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import Claim, check_bound
 from planner.verification.proof_check import certificate_of, with_checked_proof
 from planner.verification.verify import verify
-from tests.planner.search.small_objects import small_problem
+from tests.strategies.small_objects import small_problem
 from tests.tools.commands import ASSETS, run
 
 SEED = 9

@@ -11,7 +11,7 @@ from planner.grasps.grasped_object import read_grasped_object
 from planner.verification.check import Check
 from planner.verification.provenance.provenance import check_provenance, require_provenance
 from planner.verification.verify import verify
-from tests.planner.verification.provenance.plans import document_of, preset_plan
+from tests.strategies.filed_plans import document_of, preset_plan
 from tests.strategies.forgeries import FORGERIES, NOBODY, OBJECT, PROOF, READING, UNCHECKED, Forgery
 from tests.tools.commands import run
 

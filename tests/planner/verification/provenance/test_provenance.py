@@ -20,7 +20,7 @@ from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
 from planner.verification.check import Result
 from planner.verification.provenance.provenance import check_provenance
-from tests.planner.verification.provenance.plans import LIMITS, POINTS, TASK, document_of, filed_plan
+from tests.strategies.filed_plans import LIMITS, POINTS, TASK, document_of, filed_plan
 from tests.tools.commands import ASSETS, ROOT, run, says
 from tests.tools.shared import shared
 
