@@ -17,6 +17,7 @@ import numpy as np
 
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
+from planner.progress import Done
 from planner.verification.groups import Groups, group_candidates
 
 MOST_ENUMERATED = 100_000
@@ -80,7 +81,7 @@ class Claim:
 def check_bound(
     certificate: Certificate,
     claim: Claim,
-    observe: Callable[[int], None] = lambda _: None,
+    observe: Done = lambda _: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> BoundCheck:
     """Check that no subset of the candidates has rho below a bound.
@@ -168,7 +169,7 @@ class _Check:
     span: float
     most: float
     subsets: int
-    observe: Callable[[int], None]
+    observe: Done
     stop: Callable[[], bool]
 
     def enumerate(self, counts: list[tuple[int, int]]) -> BoundCheck:

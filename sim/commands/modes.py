@@ -12,6 +12,7 @@ import numpy as np
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
+from planner.progress import Observe
 from sim.benches.bench import BenchOutcome
 from sim.benches.dexgraspbench import dexgraspbench
 from sim.benches.document import write_bench
@@ -21,7 +22,6 @@ from sim.squeeze.document import write_squeeze
 from sim.squeeze.squeeze import SqueezeForce, measure_squeeze_force
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, STRICT
-from sim.trial.workload import Observe
 from sim.validation.document import write_validation
 from sim.validation.validation import validate
 

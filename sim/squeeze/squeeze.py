@@ -9,22 +9,21 @@ all of them below. Bisecting c measures the need.
 Slip here is the onset at one finger. The others would often catch the object, each at a force nobody planned.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from importlib.metadata import version
 
-import mujoco
 import numpy as np
 
 from planner.errors import SimulationError
+from planner.files.package_versions import package_versions
 from planner.forces.squeeze import SqueezeNeed, squeeze_need
+from planner.progress import Done, Observe
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import measure
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.schedule import steps
 from sim.trial.trial import Trial, run
-from sim.trial.workload import Observe, each_step
+from sim.trial.workload import each_step
 
 SQUEEZE = replace(
     ACTIVE,
@@ -110,7 +109,7 @@ def measure_squeeze_force(
         upper=upper * need.squeeze_force,
         critical_wrench=critical,
         protocol=protocol,
-        versions={"mujoco": mujoco.__version__, "numpy": np.__version__, "dm-control": version("dm-control")},
+        versions=package_versions(),
     )
 
 
@@ -150,7 +149,7 @@ def _slipped(
     need: SqueezeNeed,
     rows: np.ndarray,
     scale: float,
-    observe: Callable[[float], None],
+    observe: Done,
 ) -> tuple[np.ndarray, int | None]:
     """Which of the wrenches at `rows` are not held with the preload scaled, and the one that slips most."""
     units, protocol = experiment.units, experiment.protocol

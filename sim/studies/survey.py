@@ -5,7 +5,7 @@ grasp is a test of its own, with the cap at given multiples of its own predicted
 below one it must slip.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +16,7 @@ from planner.errors import SimulationError
 from planner.grasp_problem import GraspProblem
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
+from planner.progress import Done
 from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
 from sim.trial.experiment import set_up
@@ -128,7 +129,7 @@ def tally(
     grasps: Sequence[LoadedGrasp],
     factors: Sequence[float],
     protocol: ValidationProtocol = ACTIVE,
-    observe: Callable[[int], None] = lambda _: None,
+    observe: Done = lambda _: None,
 ) -> list[Tally]:
     """Count wrong outcomes of single-wrench tests, one entry per factor.
 

@@ -1,11 +1,12 @@
 """A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from planner.objects.rigid_object import ConvexPart
+from planner.progress import Done
 from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
 from sim.scene.object_joints import ObjectJoints, joints_of
@@ -38,9 +39,7 @@ class Experiment:
     static: StaticCheck
     """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
 
-    def measure(
-        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[float], None] = lambda _: None
-    ) -> Measurement:
+    def measure(self, wrenches: np.ndarray, caps: np.ndarray, observe: Done = lambda _: None) -> Measurement:
         """Run all simulations, the forces answering each wrench within its cap.
 
         They run in batches of at most MOST_SIMULATIONS: the memory is bounded and the progress can be told.
@@ -64,7 +63,7 @@ class Experiment:
         """The trial in which the forces answer each wrench within its cap; see `measure`."""
         return adaptive_trial(self.grasp.contacts, self.units, wrenches, caps, self.protocol)
 
-    def perform(self, trial: Trial, observe: Callable[[float], None] = lambda _: None) -> Measurement:
+    def perform(self, trial: Trial, observe: Done = lambda _: None) -> Measurement:
         """Run one batch.
 
         Args:
@@ -86,7 +85,7 @@ class Experiment:
         return replace(self, scene=with_friction(self.scene, friction))
 
 
-def _after(before: int, observe: Callable[[float], None]) -> Callable[[float], None]:
+def _after(before: int, observe: Done) -> Done:
     """The observer of a batch that begins when so many simulations are done."""
     return lambda done: observe(before + done)
 

@@ -5,11 +5,12 @@ here it is an experiment. Wrenches in and on W_R, and loads that wander inside i
 rho; the critical wrench a little enlarged must slip with the cap at rho.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from planner.progress import Done
 from sim.trial.experiment import Experiment
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ValidationProtocol
@@ -71,7 +72,7 @@ class Beyond:
         return (f"{OUTSIDE:g} times the critical wrench was held with the cap at rho: the experiment cannot fail",)
 
 
-def measure_beyond(experiment: Experiment, seed: int = 0, observe: Callable[[float], None] = lambda _: None) -> Beyond:
+def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda _: None) -> Beyond:
     """Measure wrenches inside, on and outside W_R, and loads that turn inside.
 
     Args:

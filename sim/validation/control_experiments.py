@@ -1,12 +1,12 @@
 """The four controls of a validation: less cap, no load, less friction, another contact."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
 from planner.contact_models.friction_cone import utilisation
 from planner.millimetres import in_mm
+from planner.progress import Done
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.feed_forward import FeedForward
 from sim.trial.loaded_grasp import LoadedGrasp
@@ -74,9 +74,7 @@ def creep_control(
     )
 
 
-def friction_control(
-    experiment: Experiment, trial: Trial, observe: Callable[[float], None] = lambda _: None
-) -> Control:
+def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambda _: None) -> Control:
     """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
 
     The friction is lowered until theory says that some wrench is lost: a grasp that friction does not limit holds as

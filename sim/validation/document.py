@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from planner.files.atomic_write import write_atomically
+from planner.files.versioned_document import write_document
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
 from sim.validation.beyond import Beyond
@@ -234,8 +234,7 @@ def write_validation(path: Path, validation: Validation, *, grasp: str | None = 
     Raises:
         OutputError: When `path` cannot be written.
     """
-    document = msgspec.json.encode(to_document(validation, grasp=grasp))
-    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")
+    write_document(path, to_document(validation, grasp=grasp))
 
 
 def _control(control: Control) -> ControlRecord:

@@ -6,19 +6,19 @@ without load it must not creep.
 """
 
 from dataclasses import dataclass
-from importlib.metadata import version
 
-import mujoco
 import numpy as np
 
+from planner.files.package_versions import package_versions
 from planner.grasps.grasp import Grasp
 from planner.objects.graspable import Graspable
+from planner.progress import Observe
 from sim.scene.static_check import StaticCheck
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ACTIVE, ValidationProtocol
-from sim.trial.workload import Observe, Workload
+from sim.trial.workload import Workload
 from sim.validation.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.validation.control_experiment import Control
 from sim.validation.control_experiments import (
@@ -172,11 +172,7 @@ def validate_contacts(
         critical_force=critical_force,
         beyond=beyond,
         protocol=protocol,
-        versions={
-            "mujoco": mujoco.__version__,
-            "numpy": np.__version__,
-            "dm-control": version("dm-control"),
-        },
+        versions=package_versions(),
     )
 
 
