@@ -2,21 +2,18 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from importlib.metadata import version
 from math import isfinite
 from time import perf_counter
 
 import numpy as np
 
+from planner.files.package_versions import package_versions
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp, ProofCheck, SearchRecord, TraceLine
 from planner.search.certified import CertifiedSearch
 from planner.search.evaluation import Evaluation
 from planner.search.result import Progress, SearchResult, Status, relative_gap
 from planner.verification.proof_check import certificate_of, with_checked_proof
-
-PACKAGES = ("rhograsp", "mujoco", "numpy", "scipy", "clarabel", "trimesh")
-"""Packages whose versions a grasp records."""
 
 MOST_TRACE_LINES = 200
 """Lines of the search log that a grasp keeps."""
@@ -105,7 +102,7 @@ def _grasp(
         ),
         certificate=certificate_of(result),
         proof_check=check,
-        packages={name: version(name) for name in PACKAGES},
+        packages=package_versions(),
         center_of_mass=rigid_object.center_of_mass,
         candidate_choice=candidates.choice,
     )

@@ -12,8 +12,7 @@ from planner.grasps.grasp_file import write_grasp
 from planner.objects.rigid_object import RigidObject
 from scripts.publish_schemas import SCHEMAS
 from sim.validation.document import write_validation
-from sim.validation.validation import validate_contacts
-from tests.tools.commands import ROOT
+from sim.validation.validation import validate
 
 TYPES: dict[str, Callable[[Any], bool]] = {
     "object": lambda value: isinstance(value, dict),
@@ -55,20 +54,11 @@ def test_the_published_schema_is_the_codes(path: Path) -> None:
 
 
 def test_real_files_follow_the_published_schemas(golden_grasp: Grasp, prism: RigidObject, tmp_path: Path) -> None:
-    task = golden_grasp.task
-    validation = validate_contacts(
-        prism,
-        golden_grasp.contacts,
-        task.reference_point,
-        task.wrenches,
-        golden_grasp.rho,
-        golden_grasp.critical_wrench,
-        golden_grasp.phi,
-    )
+    validation = validate(prism, golden_grasp)
     write_grasp(tmp_path / "x.grasp.json", golden_grasp)
     write_validation(tmp_path / "x.validation.json", validation, grasp="x.grasp.json")
-    for kind, room in (("grasp", "planner/grasps"), ("validation", "sim/validation")):
-        schema = json.loads((ROOT / room / "schemas" / f"{kind}.schema.json").read_text())
+    for path in SCHEMAS:
+        kind, schema = path.name.removesuffix(".schema.json"), json.loads(path.read_text())
         document = json.loads((tmp_path / f"x.{kind}.json").read_text())
         assert errors(document, schema, schema) == []
         for key in schema["$defs"][schema["$ref"].removeprefix("#/$defs/")]["required"]:

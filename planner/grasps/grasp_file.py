@@ -17,9 +17,9 @@ from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, OutputError, RhograspError
 from planner.files.atomic_write import write_atomically
-from planner.files.bounded_read import read_bounded
-from planner.files.json_document import MOST_BYTES, Header, decode_json
+from planner.files.json_document import MOST_BYTES, decode_json
 from planner.files.source_file import SourceFile
+from planner.files.versioned_document import DocumentFormat, document_text
 from planner.grasps.consistency import check_agreement
 from planner.grasps.document import (
     FORMAT,
@@ -42,7 +42,13 @@ from planner.task import Task
 
 SUFFIX = ".grasp.json"
 
-NAME = "grasp file"
+FILE = DocumentFormat(
+    name=FORMAT,
+    version=FORMAT_VERSION,
+    oldest=WITH_SIDE_FILE,
+    called="grasp file",
+    remedy="install the rhograsp that wrote it",
+)
 
 ON_ONE_LINE = r'\[\n[^\[\]{}"]*\]|\{\n *"seconds"[^\[\]{}]*\}'
 """A vector, or a line of the search log; a line break is never part of a JSON string, so names are left alone."""
@@ -67,8 +73,8 @@ def write_grasp(path: Path | str, grasp: Grasp) -> None:
         OutputError: When the folder cannot be written, or the file would be larger than what is read.
     """
     path = Path(path)
-    text = msgspec.json.format(msgspec.json.encode(document_of(grasp, path)), indent=2).decode()
-    content = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text).encode() + b"\n"
+    text = document_text(document_of(grasp, path), indent=2).decode()
+    content = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text).encode()
     if len(content) > MOST_BYTES:
         raise OutputError(
             f"cannot write {path}: with {len(grasp.certificate.candidates)} candidates it would be larger than "
@@ -194,18 +200,10 @@ def _finite(value: float) -> float | None:
 
 
 def _decode(path: Path) -> GraspDocument:
-    content = read_bounded(path, MOST_BYTES, NAME, GraspFileError)
-    header = decode_json(content, Header, path, NAME)
-    if header.format != FORMAT:
-        raise GraspFileError(f"{path} has format {header.format!r}; expected {FORMAT!r}")
-    if header.format_version == WITH_SIDE_FILE:
+    content, version = FILE.read(path)
+    if version == WITH_SIDE_FILE:
         return with_side_file(path, content)
-    if header.format_version != FORMAT_VERSION:
-        raise GraspFileError(
-            f"{path} has format version {header.format_version}; this program reads {WITH_SIDE_FILE} to "
-            f"{FORMAT_VERSION}; install the rhograsp that wrote it"
-        )
-    return decode_json(content, GraspDocument, path, NAME)
+    return decode_json(content, GraspDocument, path, FILE.called)
 
 
 def _grasp(path: Path, document: GraspDocument) -> Grasp:

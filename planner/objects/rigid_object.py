@@ -82,6 +82,11 @@ class RigidObject:
         return ~np.isin(np.arange(len(self.parts)), list(self.untouchable))
 
     @property
+    def in_plane(self) -> bool:
+        """Whether it moves in the plane z = 0 only, as the slab of a planar object does."""
+        return False
+
+    @property
     def size(self) -> float:
         """Diagonal of the bounding box [m]."""
         return float(np.linalg.norm(self.extent))

@@ -18,6 +18,7 @@ import numpy as np
 from planner.contact_models.models import free_to_turn
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
+from planner.progress import Done
 from planner.verification.groups import Groups, group_candidates
 
 MOST_ENUMERATED = 100_000
@@ -81,7 +82,7 @@ class Claim:
 def check_bound(
     certificate: Certificate,
     claim: Claim,
-    observe: Callable[[int], None] = lambda _: None,
+    observe: Done = lambda _: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> BoundCheck:
     """Check that no subset of the candidates has rho below a bound.
@@ -169,7 +170,7 @@ class _Check:
     span: float
     most: float
     subsets: int
-    observe: Callable[[int], None]
+    observe: Done
     stop: Callable[[], bool]
 
     def enumerate(self, counts: list[tuple[int, int]]) -> BoundCheck:

@@ -5,7 +5,6 @@ cone and cap, rho by an independent CVXPY model of every inner problem, and the 
 (`planner.verification.bound_check`).
 """
 
-from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 from time import perf_counter
@@ -16,13 +15,11 @@ from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
+from planner.progress import Observe
 from planner.search.result import Status
 from planner.verification.bound_check import Claim, check_bound
 from planner.verification.check import Check, checked
 from planner.verification.provenance.provenance import check_provenance
-
-Observe = Callable[[str, float, float], None]
-"""Told what is counted, how much of it is done, and of how much."""
 
 TOLERANCE = 1e-6
 """Relative accuracy asked of forces and of rho."""
@@ -153,7 +150,7 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
     task = grasp.task
     subsets = certificate.subsets(search.fingers)
 
-    def settled(count: int) -> None:
+    def settled(count: float) -> None:
         observe("subsets bounded by the cuts", count, subsets)
 
     settled(0)

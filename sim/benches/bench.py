@@ -8,14 +8,13 @@ stiffness times the reach of the contacts, can turn the object between its sprin
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.metadata import version
 from itertools import count
 
-import mujoco
 import numpy as np
 
 from planner.contacts import Contacts
 from planner.errors import SettingError
+from planner.files.package_versions import package_versions
 from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
 from sim.benches.settings import BenchSettings
@@ -96,7 +95,7 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
         touching=touching,
         tip_radius=scene.tip_radius,
         settings=settings,
-        versions={"mujoco": mujoco.__version__, "numpy": np.__version__, "dm-control": version("dm-control")},
+        versions=package_versions(),
     )
 
 

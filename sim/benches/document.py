@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from planner.files.atomic_write import write_atomically
+from planner.files.versioned_document import write_document
 from sim.benches.bench import BenchOutcome
 from sim.benches.settings import BenchSettings
 from sim.validation.document import ObjectRecord
@@ -80,5 +80,4 @@ def write_bench(path: Path, outcome: BenchOutcome, *, grasp: str | None = None) 
     Raises:
         OutputError: When `path` cannot be written.
     """
-    document = msgspec.json.encode(to_document(outcome, grasp=grasp))
-    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")
+    write_document(path, to_document(outcome, grasp=grasp))

@@ -12,6 +12,7 @@ import numpy as np
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
+from planner.progress import Observe
 from sim.benches.bench import BenchOutcome
 from sim.benches.dexgraspbench import dexgraspbench
 from sim.benches.document import write_bench
@@ -19,8 +20,8 @@ from sim.benches.graspdatagen import graspdatagen
 from sim.commands.validation_report import validation_lines, validation_summary
 from sim.squeeze.document import write_squeeze
 from sim.squeeze.squeeze import SqueezeForce, measure_squeeze_force
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, STRICT
-from sim.trial.workload import Observe
 from sim.validation.document import write_validation
 from sim.validation.validation import validate
 
@@ -63,8 +64,7 @@ def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe:
 
 def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe: Observe) -> Outcome:
     """A constant squeeze that must hold every wrench, without adapting."""
-    task = grasp.task
-    need = measure_squeeze_force(rigid_object, grasp.contacts, task.reference_point, task.wrenches, observe=observe)
+    need = measure_squeeze_force(LoadedGrasp.of(rigid_object, grasp), observe=observe)
     return Outcome(
         passed=need.confirmed,
         write=lambda out: write_squeeze(out, need, rigid_object, rho=grasp.rho, grasp=options.file.name),

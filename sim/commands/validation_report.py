@@ -41,9 +41,9 @@ def validation_summary(validation: Validation) -> dict[str, Any]:
     return {
         "verdict": validation.verdict,
         "reasons": validation.reasons,
-        "rho": validation.rho,
-        "critical_wrench": validation.critical_wrench,
-        "wrenches": len(validation.phi),
+        "rho": validation.grasp.rho,
+        "critical_wrench": validation.grasp.critical_wrench,
+        "wrenches": len(validation.grasp.phi),
         "held": int(vertices.held.sum()) if vertices else None,
         "friction_limited": np.flatnonzero(validation.limited).tolist(),
         "largest_slip": float(vertices.slip.max()) if vertices else None,

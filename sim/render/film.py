@@ -12,10 +12,10 @@ from PIL import Image
 
 from planner.errors import OutputError, RenderingError
 from planner.files.atomic_write import write_atomically
+from planner.progress import Observe
 from sim.render.needs import INSTALL
 from sim.render.palette import BACKGROUND, CONE, FORCE, HELD, LOAD, SLIPPED, rgb
 from sim.render.picture import Picture
-from sim.trial.workload import Observe
 
 SLOWER = 10
 """Seconds of film per second of simulation."""

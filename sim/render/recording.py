@@ -16,6 +16,7 @@ from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.final_state import FinalState
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.schedule import fractions
@@ -172,12 +173,11 @@ def record(
     need = float(grasp.phi[shown])
     if not need > 0:
         raise SettingError(f"wrench {shown} needs no fingertip force, so no cap lets it slip; choose another")
-    contacts, task = grasp.contacts, grasp.task
-    experiment = set_up(rigid_object, contacts, task.reference_point, grasp.rho, contacts.friction, protocol)
+    experiment = set_up(LoadedGrasp.of(rigid_object, grasp), protocol)
     if reasons := experiment.static.reasons():
         raise SimulationError("; ".join(reasons))
     caps = np.array([protocol.hold_factor, protocol.control_factor]) * need / grasp.rho
-    trial = experiment.adaptive(np.repeat(task.wrenches[[shown]], len(caps), axis=0), caps)
+    trial = experiment.adaptive(np.repeat(grasp.task.wrenches[[shown]], len(caps), axis=0), caps)
     coordinates, readings = [np.tile(experiment.scene.model.qpos0, (len(caps), 1))], []
 
     def keep(positions: np.ndarray, sensors: np.ndarray) -> None:

@@ -5,7 +5,6 @@ from typing import Protocol
 
 import numpy as np
 
-from planner.objects.planar.extrusion import Slab
 from planner.objects.rigid_object import RigidObject
 from sim.scene.dm_control_mjcf import mjcf
 
@@ -71,4 +70,4 @@ class PlanarJoints:
 
 def joints_of(rigid_object: RigidObject) -> ObjectJoints:
     """The joints with which an object is simulated."""
-    return PlanarJoints() if isinstance(rigid_object, Slab) else FreeJoint()
+    return PlanarJoints() if rigid_object.in_plane else FreeJoint()

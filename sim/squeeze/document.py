@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from planner.files.atomic_write import write_atomically
+from planner.files.versioned_document import write_document
 from planner.objects.rigid_object import RigidObject
 from sim.squeeze.squeeze import AGREEMENT, FORCE_TOLERANCE, SqueezeForce
 from sim.trial.protocol import ValidationProtocol
@@ -83,5 +83,4 @@ def write_squeeze(
     Raises:
         OutputError: When `path` cannot be written.
     """
-    document = msgspec.json.encode(to_document(squeeze, rigid_object, rho, grasp))
-    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")
+    write_document(path, to_document(squeeze, rigid_object, rho, grasp))

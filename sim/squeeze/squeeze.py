@@ -9,23 +9,21 @@ all of them below. Bisecting c measures the need.
 Slip here is the onset at one finger. The others would often catch the object, each at a force nobody planned.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from importlib.metadata import version
 
-import mujoco
 import numpy as np
 
-from planner.contacts import Contacts
 from planner.errors import SimulationError
+from planner.files.package_versions import package_versions
 from planner.forces.squeeze import SqueezeNeed, squeeze_need
-from planner.objects.rigid_object import RigidObject
-from sim.trial.experiment import Experiment, check_wrenches, set_up
+from planner.progress import Done, Observe
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import measure
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.schedule import steps
 from sim.trial.trial import Trial, run
-from sim.trial.workload import Observe, each_step
+from sim.trial.workload import each_step
 
 SQUEEZE = replace(
     ACTIVE,
@@ -80,10 +78,7 @@ class SqueezeForce:
 
 
 def measure_squeeze_force(
-    rigid_object: RigidObject,
-    contacts: Contacts,
-    reference_point: np.ndarray,
-    wrenches: np.ndarray,
+    grasp: LoadedGrasp,
     protocol: ValidationProtocol = SQUEEZE,
     simulated_friction: np.ndarray | None = None,
     observe: Observe = lambda *_: None,
@@ -91,10 +86,7 @@ def measure_squeeze_force(
     """Predict and measure what the grasp needs when its forces do not adapt.
 
     Args:
-        rigid_object: What the fingers hold.
-        contacts: The grasp, with the planned friction.
-        reference_point: p_o, shape (3,) [m].
-        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
+        grasp: What is measured; its rho plays no role.
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
         observe: Told now and then how many simulations are done, and of how many at most.
@@ -104,42 +96,36 @@ def measure_squeeze_force(
         SimulationError: When a fingertip is not where it was planned or the experiment cannot be built or run.
         SolverError: When the prediction fails.
     """
-    check_wrenches(wrenches, np.empty(len(wrenches)))
-    need = squeeze_need(contacts, reference_point, wrenches)
+    need = squeeze_need(grasp.contacts, grasp.reference_point, grasp.wrenches)
     lower, upper, critical = 0.0, np.inf, None
     if need.feasible:
-        friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
-        experiment = set_up(rigid_object, contacts, reference_point, need.squeeze_force, friction, protocol)
+        experiment = set_up(grasp, protocol, simulated_friction, newton=need.squeeze_force)
         if experiment.static.reasons():
             raise SimulationError("; ".join(experiment.static.reasons()))
-        lower, upper, critical = _bisected(experiment, need, wrenches, observe)
+        lower, upper, critical = _bisected(experiment, need, observe)
     return SqueezeForce(
         predicted=need,
         lower=lower * need.squeeze_force if lower > 0 else 0.0,
         upper=upper * need.squeeze_force,
         critical_wrench=critical,
         protocol=protocol,
-        versions={"mujoco": mujoco.__version__, "numpy": np.__version__, "dm-control": version("dm-control")},
+        versions=package_versions(),
     )
 
 
-def _bisected(
-    experiment: Experiment, need: SqueezeNeed, wrenches: np.ndarray, observe: Observe
-) -> tuple[float, float, int | None]:
+def _bisected(experiment: Experiment, need: SqueezeNeed, observe: Observe) -> tuple[float, float, int | None]:
     """Bracket of the scale and the wrench that slips most below it.
 
     A wrench that holds at one scale holds at every larger one, so each halving runs only those that slipped.
     """
     lower, upper, critical = 1 - SPAN, 1 + SPAN, None
-    suspects, finished, rounds = np.arange(len(wrenches)), 0, 2 + HALVINGS
+    suspects, finished, rounds = np.arange(len(experiment.grasp.wrenches)), 0, 2 + HALVINGS
 
     def test(scale: float) -> tuple[np.ndarray, int | None]:
         nonlocal finished, rounds
         before, expected = finished, finished + rounds * len(suspects)
         finished, rounds = finished + len(suspects), rounds - 1
-        return _slipped(
-            experiment, need, wrenches, suspects, scale, lambda done: observe(SQUEEZING, before + done, expected)
-        )
+        return _slipped(experiment, need, suspects, scale, lambda done: observe(SQUEEZING, before + done, expected))
 
     slipped, most = test(lower)
     if not slipped.size:
@@ -161,16 +147,15 @@ def _bisected(
 def _slipped(
     experiment: Experiment,
     need: SqueezeNeed,
-    wrenches: np.ndarray,
     rows: np.ndarray,
     scale: float,
-    observe: Callable[[float], None],
+    observe: Done,
 ) -> tuple[np.ndarray, int | None]:
     """Which of the wrenches at `rows` are not held with the preload scaled, and the one that slips most."""
     units, protocol = experiment.units, experiment.protocol
     preload = np.repeat(scale * units.force * need.preload[None], len(rows), axis=0)
     uncapped = np.full(len(rows), np.inf)
-    loads = units.wrenches(wrenches[rows])
+    loads = units.wrenches(experiment.grasp.wrenches[rows])
     trial = Trial(
         wrenches=loads, caps=uncapped, preloads=preload, preload_wrenches=np.zeros_like(loads), forces=preload
     )

@@ -12,6 +12,7 @@ from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import RigidObject
 from sim.trial.experiment import set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.critical_force import bisect_caps
@@ -54,16 +55,15 @@ def measure_cost(fingers: int, wrenches: int, *, bisect: bool, protocol: Validat
     Raises:
         SimulationError: When the experiment cannot be run.
     """
-    ball, contacts, loads = _grasp(fingers, wrenches)
-    phi = predicted_caps(contacts, np.zeros(3), loads)
+    grasp = _grasp(fingers, wrenches)
     began = perf_counter()
-    experiment = set_up(ball, contacts, np.zeros(3), float(phi.max()), contacts.friction, protocol)
+    experiment = set_up(grasp, protocol)
     built = perf_counter()
-    trial = experiment.adaptive(loads, np.full(wrenches, protocol.hold_factor))
+    trial = experiment.adaptive(grasp.wrenches, np.full(wrenches, protocol.hold_factor))
     answered = perf_counter()
     experiment.perform(trial)
     stepped = perf_counter()
-    critical = bisect_caps(experiment, loads, phi) if bisect else None
+    critical = bisect_caps(experiment) if bisect else None
     return Cost(
         fingers=fingers,
         wrenches=wrenches,
@@ -75,7 +75,7 @@ def measure_cost(fingers: int, wrenches: int, *, bisect: bool, protocol: Validat
     )
 
 
-def _grasp(fingers: int, wrenches: int) -> tuple[RigidObject, Contacts, np.ndarray]:
+def _grasp(fingers: int, wrenches: int) -> LoadedGrasp:
     """A ball, contacts on a Fibonacci spiral around it, and random wrenches of the size of its weight."""
     ball = Sphere(pose=Pose.identity(), radius=RADIUS, geom="ball", friction=FRICTION)
     height = 1 - 2 * (np.arange(fingers) + 0.5) / fingers if fingers > 3 else np.zeros(fingers)
@@ -94,4 +94,10 @@ def _grasp(fingers: int, wrenches: int) -> tuple[RigidObject, Contacts, np.ndarr
         extent=np.full(3, 2 * RADIUS),
     )
     loads = np.random.default_rng(0).normal(size=(wrenches, 6)) * np.repeat([1.0, 0.3 * RADIUS], 3)
-    return held, contacts, loads
+    return LoadedGrasp(
+        rigid_object=held,
+        contacts=contacts,
+        reference_point=np.zeros(3),
+        wrenches=loads,
+        phi=predicted_caps(contacts, np.zeros(3), loads),
+    )

@@ -13,8 +13,8 @@ import numpy as np
 from planner.contacts import Contacts, contact_frames
 from planner.forces.cvxpy_forces import CvxpyForces
 from planner.forces.problem import ForceProblem
-from sim.studies.survey import FeasibleGrasp
-from sim.trial.experiment import Experiment
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.trial import Trial
@@ -121,7 +121,7 @@ SABOTAGES = (
 
 
 def measure_sabotage(
-    grasp: FeasibleGrasp, sabotage: Sabotage, protocol: ValidationProtocol = ACTIVE
+    grasp: LoadedGrasp, sabotage: Sabotage, protocol: ValidationProtocol = ACTIVE
 ) -> CriticalForce | None:
     """What MuJoCo measures against the sabotaged prediction.
 
@@ -136,12 +136,13 @@ def measure_sabotage(
     Raises:
         SimulationError: When the experiment cannot be run.
     """
-    contacts, point, wrenches = grasp.contacts, grasp.task.reference_point, grasp.task.wrenches
+    contacts, point, wrenches = grasp.contacts, grasp.reference_point, grasp.wrenches
     radius = float(np.linalg.norm(contacts.points - point, axis=1).max())
     phi = sabotage.predict(contacts, point, sabotage.believed(wrenches, radius))
     if not np.isfinite(phi).all():
         return None
-    experiment = grasp.experiment(protocol)
+    factor = sabotage.friction_factor
+    experiment = set_up(replace(grasp, phi=phi), protocol, factor * contacts.friction, newton=grasp.rho)
     if sabotage.misleads:
         experiment = MisledExperiment(**vars(experiment), believed=lambda true: sabotage.believed(true, radius))
-    return bisect_caps(experiment.with_friction(sabotage.friction_factor * contacts.friction), wrenches, phi)
+    return bisect_caps(experiment)

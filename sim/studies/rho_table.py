@@ -12,6 +12,7 @@ from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task
 from sim.studies.survey import GAP, TIME_LIMIT
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.validation.critical_force import measure_critical_force
 
 
@@ -97,7 +98,7 @@ def _row(
     )
     if not grasp.found:
         return row
-    critical = measure_critical_force(rigid_object, grasp.contacts, task.reference_point, task.wrenches, grasp.phi)
+    critical = measure_critical_force(LoadedGrasp.of(rigid_object, grasp))
     lower, upper = critical.rho
     ratios = critical.ratios
     return replace(row, lower=lower, upper=upper, least_ratio=float(ratios.min()), largest_ratio=float(ratios.max()))

@@ -5,7 +5,7 @@ grasp is a test of its own, with the cap at given multiples of its own predicted
 below one it must slip.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,10 +16,12 @@ from planner.errors import SimulationError
 from planner.grasp_problem import GraspProblem
 from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
+from planner.progress import Done
 from planner.search.certified import CertifiedSearch
 from planner.task import Task, make_task
-from sim.trial.experiment import Experiment, set_up
-from sim.trial.prediction import on_friction_limit, predicted_caps
+from sim.trial.experiment import set_up
+from sim.trial.loaded_grasp import LoadedGrasp
+from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 
 CANDIDATES = "60"
@@ -31,39 +33,6 @@ FRICTION = (0.3, 1.0)
 """Range of the friction coefficient of a random grasp."""
 MOST_DRAWS = 2_000
 """Bound on the draws for one feasible grasp; a few dozen are usual."""
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class FeasibleGrasp:
-    """Contacts that can balance every wrench of a task."""
-
-    rigid_object: RigidObject
-    task: Task
-    contacts: Contacts
-
-    phi: np.ndarray
-    """Predicted cap of every wrench, shape (wrenches,) [N]; finite."""
-
-    @property
-    def rho(self) -> float:
-        """Predicted force cap [N]."""
-        return float(self.phi.max())
-
-    @property
-    def critical_wrench(self) -> int:
-        """The wrench that needs rho."""
-        return int(self.phi.argmax())
-
-    def limited(self, protocol: ValidationProtocol) -> np.ndarray:
-        """Which wrenches lie on the friction limit, shape (wrenches,)."""
-        point, margin = self.task.reference_point, protocol.friction_margin
-        return on_friction_limit(self.contacts, point, self.task.wrenches, margin)
-
-    def experiment(self, protocol: ValidationProtocol) -> Experiment:
-        """The grasp set up with its planned friction."""
-        contacts = self.contacts
-        point = self.task.reference_point
-        return set_up(self.rigid_object, contacts, point, self.rho, contacts.friction, protocol)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +57,7 @@ class Tally:
     """Of these, slips above phi or holds below it."""
 
 
-def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity") -> list[FeasibleGrasp]:
+def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity") -> list[LoadedGrasp]:
     """Random feasible grasps that pass the static check, objects and numbers of fingers in turn.
 
     Args:
@@ -107,7 +76,7 @@ def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: s
     return [_drawn(objects[which], tasks[which], candidates[which], fingers, rng) for which, fingers in turns]
 
 
-def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed: int) -> FeasibleGrasp:
+def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed: int) -> LoadedGrasp:
     """A grasp as the planner chooses it, against gravity.
 
     Args:
@@ -129,12 +98,12 @@ def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed
             f"no grasp of {rigid_object.file.name} with {fingers} fingers and friction {friction:g} was found "
             f"({grasp.status}); allow more fingers or friction"
         )
-    return FeasibleGrasp(rigid_object=rigid_object, task=task, contacts=grasp.contacts, phi=grasp.phi)
+    return LoadedGrasp.of(rigid_object, grasp)
 
 
 def _drawn(
     rigid_object: RigidObject, task: Task, candidates: Contacts, fingers: int, rng: np.random.Generator
-) -> FeasibleGrasp:
+) -> LoadedGrasp:
     friction = np.full(len(candidates), rng.uniform(*FRICTION))
     for _ in range(MOST_DRAWS):
         chosen = rng.choice(len(candidates), size=fingers, replace=False)
@@ -142,8 +111,14 @@ def _drawn(
         if not np.isfinite(predicted_caps(contacts, task.reference_point, task.wrenches[:1])[0]):
             continue
         phi = predicted_caps(contacts, task.reference_point, task.wrenches)
-        grasp = FeasibleGrasp(rigid_object=rigid_object, task=task, contacts=contacts, phi=phi)
-        if np.isfinite(phi).all() and not grasp.experiment(ACTIVE).static.reasons():
+        grasp = LoadedGrasp(
+            rigid_object=rigid_object,
+            contacts=contacts,
+            reference_point=task.reference_point,
+            wrenches=task.wrenches,
+            phi=phi,
+        )
+        if np.isfinite(phi).all() and not set_up(grasp, ACTIVE).static.reasons():
             return grasp
     raise SimulationError(
         f"no feasible grasp of {rigid_object.file.name} with {fingers} fingers among {MOST_DRAWS} random ones"
@@ -151,10 +126,10 @@ def _drawn(
 
 
 def tally(
-    grasps: Sequence[FeasibleGrasp],
+    grasps: Sequence[LoadedGrasp],
     factors: Sequence[float],
     protocol: ValidationProtocol = ACTIVE,
-    observe: Callable[[int], None] = lambda _: None,
+    observe: Done = lambda _: None,
 ) -> list[Tally]:
     """Count wrong outcomes of single-wrench tests, one entry per factor.
 
@@ -173,7 +148,7 @@ def tally(
         observe(done)
     held = np.hstack([each[0] for each in outcomes])
     slips = np.hstack([each[1] for each in outcomes])
-    limited = np.concatenate([grasp.limited(protocol) for grasp in grasps])
+    limited = np.concatenate([grasp.friction_limited(protocol.friction_margin) for grasp in grasps])
     wrong = held != (np.array(factors) > 1)[:, None]
     return [
         Tally(
@@ -194,11 +169,11 @@ def _worst(slips: np.ndarray, *, above: bool) -> float:
 
 
 def _outcomes(
-    grasps: Sequence[FeasibleGrasp], factors: Sequence[float], protocol: ValidationProtocol
+    grasps: Sequence[LoadedGrasp], factors: Sequence[float], protocol: ValidationProtocol
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Held and slip of every wrench of each grasp, each of shape (factors, wrenches)."""
     for grasp in grasps:
-        scaled = grasp.task.wrenches * (grasp.rho / grasp.phi)[:, None]
+        scaled = grasp.wrenches * (grasp.rho / grasp.phi)[:, None]
         shape = (len(factors), len(scaled))
-        outcome = grasp.experiment(protocol).measure(np.tile(scaled, (len(factors), 1)), np.repeat(factors, shape[1]))
+        outcome = set_up(grasp, protocol).measure(np.tile(scaled, (len(factors), 1)), np.repeat(factors, shape[1]))
         yield outcome.held.reshape(shape), outcome.slip.reshape(shape)

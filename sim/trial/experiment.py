@@ -1,13 +1,12 @@
 """A grasp set up in the simulator: every measurement is this, run with other wrenches and caps."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from planner.contacts import Contacts
-from planner.errors import SimulationError
-from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.objects.rigid_object import ConvexPart
+from planner.progress import Done
 from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
 from sim.scene.object_joints import ObjectJoints, joints_of
@@ -16,6 +15,7 @@ from sim.scene.scene import Scene, with_friction
 from sim.scene.static_check import StaticCheck
 from sim.scene.units import Similarity, similarity
 from sim.trial.active import adaptive_trial
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.schedule import steps
@@ -30,8 +30,7 @@ MOST_SIMULATIONS = 512
 class Experiment:
     """The compiled scene of one grasp with its units and protocol."""
 
-    contacts: Contacts
-    """The grasp in the body frame, SI, with the planned friction."""
+    grasp: LoadedGrasp
 
     units: Similarity
     scene: Scene
@@ -40,9 +39,7 @@ class Experiment:
     static: StaticCheck
     """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
 
-    def measure(
-        self, wrenches: np.ndarray, caps: np.ndarray, observe: Callable[[float], None] = lambda _: None
-    ) -> Measurement:
+    def measure(self, wrenches: np.ndarray, caps: np.ndarray, observe: Done = lambda _: None) -> Measurement:
         """Run all simulations, the forces answering each wrench within its cap.
 
         They run in batches of at most MOST_SIMULATIONS: the memory is bounded and the progress can be told.
@@ -64,9 +61,9 @@ class Experiment:
 
     def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
         """The trial in which the forces answer each wrench within its cap; see `measure`."""
-        return adaptive_trial(self.contacts, self.units, wrenches, caps, self.protocol)
+        return adaptive_trial(self.grasp.contacts, self.units, wrenches, caps, self.protocol)
 
-    def perform(self, trial: Trial, observe: Callable[[float], None] = lambda _: None) -> Measurement:
+    def perform(self, trial: Trial, observe: Done = lambda _: None) -> Measurement:
         """Run one batch.
 
         Args:
@@ -88,18 +85,16 @@ class Experiment:
         return replace(self, scene=with_friction(self.scene, friction))
 
 
-def _after(before: int, observe: Callable[[float], None]) -> Callable[[float], None]:
+def _after(before: int, observe: Done) -> Done:
     """The observer of a batch that begins when so many simulations are done."""
     return lambda done: observe(before + done)
 
 
 def set_up(
-    rigid_object: RigidObject,
-    contacts: Contacts,
-    reference_point: np.ndarray,
-    rho: float,
-    friction: np.ndarray,
+    grasp: LoadedGrasp,
     protocol: ValidationProtocol,
+    friction: np.ndarray | None = None,
+    newton: float | None = None,
 ) -> Experiment:
     """Compose and compile the scene with the largest fingertips that touch only where planned.
 
@@ -107,24 +102,24 @@ def set_up(
     which.
 
     Args:
-        rigid_object: What the fingers hold.
-        contacts: The grasp, with the planned friction.
-        reference_point: p_o, shape (3,) [m].
-        rho: Predicted force cap, the experiment's newton [N].
-        friction: Friction in the simulator, shape (contacts,).
+        grasp: What is measured.
         protocol: Settings.
+        friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        newton: The experiment's newton [N]; rho if None.
 
     Raises:
         SimulationError: When the experiment cannot be built.
         ContactError: When the friction is not one positive number per contact.
     """
-    units = similarity(contacts, reference_point, rho, protocol.reach)
+    rigid_object, contacts = grasp.rigid_object, grasp.contacts
+    force = grasp.rho if newton is None else newton
+    units = similarity(contacts, grasp.reference_point, force, protocol.reach)
     held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
-    touching = units.contacts(replace(contacts, friction=friction))
+    touching = units.contacts(contacts if friction is None else replace(contacts, friction=np.asarray(friction, float)))
     tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
     radii = [radius * protocol.reach for radius in protocol.tip_radii]
     scene, static = placed_scene(held, tips, protocol, radii, rigid_object.size)
-    return Experiment(contacts=contacts, units=units, scene=scene, protocol=protocol, static=static)
+    return Experiment(grasp=grasp, units=units, scene=scene, protocol=protocol, static=static)
 
 
 def floating_object(
@@ -147,15 +142,3 @@ def floating_object(
         joints=joints,
         drag=protocol.object_damping,
     )
-
-
-def check_wrenches(wrenches: np.ndarray, phi: np.ndarray) -> None:
-    """Refuse wrenches and predictions that do not belong together.
-
-    Raises:
-        SimulationError: When shapes differ from (l, 6) and (l,), or a wrench is not finite.
-    """
-    if wrenches.ndim != 2 or wrenches.shape[1] != 6 or not len(wrenches) or not np.isfinite(wrenches).all():
-        raise SimulationError(f"wrenches have shape {wrenches.shape}; a simulation needs finite ones, (1 or more, 6)")
-    if phi.shape != (len(wrenches),):
-        raise SimulationError(f"phi has shape {phi.shape}; expected one value for each of {len(wrenches)} wrenches")

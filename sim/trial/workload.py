@@ -1,14 +1,11 @@
 """How far a measurement is, in simulations: what nearly all of its time is spent on."""
 
-from collections.abc import Callable
 from itertools import count
 
 import numpy as np
 
+from planner.progress import Done, Observe
 from sim.trial.trial import Observer
-
-Observe = Callable[[str, float, float], None]
-"""Told what is counted, how much of it is done, and of how much; a half-run simulation counts half."""
 
 
 class Workload:
@@ -49,7 +46,7 @@ class Part:
         self._observe(self._what, self._before + done, self._before + (size or self._size) + self._after)
 
 
-def each_step(observe: Callable[[float], None], simulations: int, steps: int) -> Observer:
+def each_step(observe: Done, simulations: int, steps: int) -> Observer:
     """An observer of steps that tells them as shares of so many simulations."""
     taken = count(1)
 

@@ -5,11 +5,12 @@ here it is an experiment. Wrenches in and on W_R, and loads that wander inside i
 rho; the critical wrench a little enlarged must slip with the cap at rho.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from planner.progress import Done
 from sim.trial.experiment import Experiment
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ValidationProtocol
@@ -71,19 +72,11 @@ class Beyond:
         return (f"{OUTSIDE:g} times the critical wrench was held with the cap at rho: the experiment cannot fail",)
 
 
-def measure_beyond(
-    experiment: Experiment,
-    wrenches: np.ndarray,
-    critical_wrench: int,
-    seed: int = 0,
-    observe: Callable[[float], None] = lambda _: None,
-) -> Beyond:
+def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda _: None) -> Beyond:
     """Measure wrenches inside, on and outside W_R, and loads that turn inside.
 
     Args:
-        experiment: Set up for the rho of the wrenches.
-        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
-        critical_wrench: Index of the wrench that decides rho.
+        experiment: Set up for the rho of its grasp.
         seed: Of the random wrenches.
         observe: Called now and then with how many of the SIMULATIONS are done.
 
@@ -91,10 +84,10 @@ def measure_beyond(
         SimulationError: When MuJoCo stops or loses a simulation.
     """
     rng = np.random.default_rng(seed)
-    factor = experiment.protocol.hold_factor
+    factor, wrenches = experiment.protocol.hold_factor, experiment.grasp.wrenches
     inside = interior_wrenches(wrenches, SAMPLES, rng)
     boundary = boundary_wrenches(wrenches, SAMPLES, rng)
-    outside = OUTSIDE * wrenches[critical_wrench][None]
+    outside = OUTSIDE * wrenches[experiment.grasp.critical_wrench][None]
     caps = np.append(np.full(2 * SAMPLES, factor), 1.0)
     outcome = experiment.measure(np.vstack([inside, boundary, outside]), caps, observe)
     paths = np.concatenate([rotating_forces(wrenches), rotating_wrenches(wrenches, RANDOM_PATHS, rng)])

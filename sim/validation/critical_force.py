@@ -11,10 +11,9 @@ from math import ceil, log2
 
 import numpy as np
 
-from planner.contacts import Contacts
 from planner.errors import SimulationError
-from planner.objects.rigid_object import RigidObject
-from sim.trial.experiment import Experiment, check_wrenches, set_up
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 
 BANDS = (0.005, 0.02, 0.1, 0.3)
@@ -60,11 +59,7 @@ class CriticalForce:
 
 
 def measure_critical_force(
-    rigid_object: RigidObject,
-    contacts: Contacts,
-    reference_point: np.ndarray,
-    wrenches: np.ndarray,
-    phi: np.ndarray,
+    grasp: LoadedGrasp,
     protocol: ValidationProtocol = ACTIVE,
     simulated_friction: np.ndarray | None = None,
     observe: Callable[[float, float], None] = lambda *_: None,
@@ -72,11 +67,7 @@ def measure_critical_force(
     """Bisect the cap of every wrench.
 
     Args:
-        rigid_object: What the fingers hold.
-        contacts: The grasp, with the planned friction.
-        reference_point: p_o, shape (3,) [m].
-        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
-        phi: Predicted cap of every wrench, positive, shape (wrenches,) [N].
+        grasp: What is measured, every prediction positive.
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
         observe: Called now and then with how many simulations are done and how many are expected in all.
@@ -85,23 +76,11 @@ def measure_critical_force(
         SimulationError: When a fingertip is not where it was planned, a prediction is not positive and finite, or
             the experiment cannot be built or run.
     """
-    check_wrenches(wrenches, phi)
-    check_predictions(phi)
-    friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
-    experiment = set_up(rigid_object, contacts, reference_point, float(phi.max()), friction, protocol)
+    grasp.require_predictions()
+    experiment = set_up(grasp, protocol, simulated_friction)
     if experiment.static.reasons():
         raise SimulationError("; ".join(experiment.static.reasons()))
-    return bisect_caps(experiment, wrenches, phi, observe)
-
-
-def check_predictions(phi: np.ndarray) -> None:
-    """Refuse predictions about which no cap can be searched.
-
-    Raises:
-        SimulationError: When one is not positive and finite.
-    """
-    if not (np.isfinite(phi) & (phi > 0)).all():
-        raise SimulationError(f"phi must be positive and finite to be measured; the least is {phi.min()} N")
+    return bisect_caps(experiment, observe)
 
 
 def expected_simulations(wrenches: int) -> int:
@@ -109,23 +88,17 @@ def expected_simulations(wrenches: int) -> int:
     return wrenches * (2 + ceil(log2(2 * BANDS[0] / RESOLUTION)))
 
 
-def bisect_caps(
-    experiment: Experiment,
-    wrenches: np.ndarray,
-    phi: np.ndarray,
-    observe: Callable[[float, float], None] = lambda *_: None,
-) -> CriticalForce:
+def bisect_caps(experiment: Experiment, observe: Callable[[float, float], None] = lambda *_: None) -> CriticalForce:
     """The same in an experiment that is set up and whose fingertips touch where planned.
 
     Args:
-        experiment: Set up for any rho.
-        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
-        phi: Predicted cap of every wrench, positive and finite, shape (wrenches,) [N].
+        experiment: Of a grasp whose predictions are positive and finite.
         observe: Called now and then with how many simulations are done and how many are expected in all.
 
     Raises:
         SimulationError: When MuJoCo stops or loses a simulation.
     """
+    wrenches, phi = experiment.grasp.wrenches, experiment.grasp.phi
     scaled = wrenches / (experiment.units.force * phi)[:, None]
     slipped, held = np.zeros(len(phi)), np.full(len(phi), np.inf)
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from planner.contacts import Contacts, contact_frames
-from planner.objects.planar.extrusion import Slab
 from planner.objects.rigid_object import RigidObject
 from planner.objects.surface.exposure import exposed
 
@@ -43,7 +42,7 @@ def displaced_grasps(rigid_object: RigidObject, contacts: Contacts, distance: fl
     frames = contact_frames(contacts.normals)
     for finger in range(len(contacts)):
         for tangent in (*frames[finger].T[1:], *-frames[finger].T[1:]):
-            if isinstance(rigid_object, Slab) and tangent[2]:
+            if rigid_object.in_plane and tangent[2]:
                 continue  # a planar object is held in its plane
             moved = _moved(rigid_object, contacts, finger, distance * tangent)
             if moved is not None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from planner.files.atomic_write import write_atomically
+from planner.files.versioned_document import write_document
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
 from sim.validation.beyond import Beyond
@@ -193,18 +193,18 @@ class ValidationDocument(msgspec.Struct, frozen=True, kw_only=True):
 
 def to_document(validation: Validation, *, grasp: str | None = None) -> ValidationDocument:
     """The validation as plain values; `grasp` names the grasp file."""
-    vertices, static = validation.vertices, validation.static
+    vertices, static, held = validation.vertices, validation.static, validation.grasp
     return ValidationDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
         grasp=grasp,
-        object=ObjectRecord(sha256=validation.rigid_object.sha256, body=validation.rigid_object.body),
+        object=ObjectRecord(sha256=held.rigid_object.sha256, body=held.rigid_object.body),
         verdict=validation.verdict,
         reasons=validation.reasons,
-        rho=validation.rho,
-        critical_wrench=validation.critical_wrench,
-        strengths=tuple(validation.strengths.tolist()),
-        planned_friction=tuple(validation.planned_friction.tolist()),
+        rho=held.rho,
+        critical_wrench=held.critical_wrench,
+        strengths=tuple(held.contacts.strengths.tolist()),
+        planned_friction=tuple(held.contacts.friction.tolist()),
         simulated_friction=tuple(validation.simulated_friction.tolist()),
         static=StaticRecord(
             distances=tuple(static.distances.tolist()),
@@ -234,8 +234,7 @@ def write_validation(path: Path, validation: Validation, *, grasp: str | None = 
     Raises:
         OutputError: When `path` cannot be written.
     """
-    document = msgspec.json.encode(to_document(validation, grasp=grasp))
-    write_atomically(path, msgspec.json.format(document, indent=1) + b"\n")
+    write_document(path, to_document(validation, grasp=grasp))
 
 
 def _control(control: Control) -> ControlRecord:
@@ -303,7 +302,7 @@ def _finite(value: float) -> float | None:
 
 def _records(measurement: Measurement, validation: Validation) -> tuple[SimulationRecord, ...]:
     columns = zip(
-        validation.phi.tolist(),
+        validation.grasp.phi.tolist(),
         measurement.caps.tolist(),
         measurement.held.tolist(),
         measurement.slip.tolist(),

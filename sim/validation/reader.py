@@ -3,12 +3,18 @@
 from pathlib import Path
 
 from planner.errors import GraspFileError
-from planner.files.bounded_read import read_bounded
-from planner.files.json_document import MOST_BYTES, Header, decode_json
+from planner.files.json_document import decode_json
+from planner.files.versioned_document import DocumentFormat
 from planner.grasps.grasp import Grasp
 from sim.validation.document import FORMAT, FORMAT_VERSION, ValidationDocument
 
-NAME = "validation file"
+FILE = DocumentFormat(
+    name=FORMAT,
+    version=FORMAT_VERSION,
+    oldest=FORMAT_VERSION,
+    called="validation file",
+    remedy="validate the grasp again",
+)
 
 AGREEMENT = 1e-9
 """Relative difference of two values of rho that are the same."""
@@ -20,14 +26,8 @@ def read_validation(path: Path) -> ValidationDocument:
     Raises:
         GraspFileError: When it is missing, truncated, too large, of another format or another version.
     """
-    content = read_bounded(path, MOST_BYTES, NAME, GraspFileError)
-    header = decode_json(content, Header, path, NAME)
-    if (header.format, header.format_version) != (FORMAT, FORMAT_VERSION):
-        raise GraspFileError(
-            f"{path} has format {header.format!r} version {header.format_version}; expected {FORMAT!r} version "
-            f"{FORMAT_VERSION}; validate the grasp again"
-        )
-    return decode_json(content, ValidationDocument, path, NAME)
+    content, _ = FILE.read(path)
+    return decode_json(content, ValidationDocument, path, FILE.called)
 
 
 def read_validation_of(path: Path, grasp: Grasp) -> ValidationDocument:

@@ -6,23 +6,19 @@ without load it must not creep.
 """
 
 from dataclasses import dataclass
-from importlib.metadata import version
 
-import mujoco
 import numpy as np
 
-from planner.contacts import Contacts
-from planner.errors import SimulationError
+from planner.files.package_versions import package_versions
 from planner.grasps.grasp import Grasp
-from planner.grasps.lift import in_space
 from planner.objects.graspable import Graspable
-from planner.objects.rigid_object import RigidObject
+from planner.progress import Observe
 from sim.scene.static_check import StaticCheck
-from sim.trial.experiment import Experiment, check_wrenches, set_up
+from sim.trial.experiment import Experiment, set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement
-from sim.trial.prediction import on_friction_limit
 from sim.trial.protocol import ACTIVE, ValidationProtocol
-from sim.trial.workload import Observe, Workload
+from sim.trial.workload import Workload
 from sim.validation.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.validation.control_experiment import Control
 from sim.validation.control_experiments import (
@@ -32,7 +28,7 @@ from sim.validation.control_experiments import (
     friction_control,
     squeezes,
 )
-from sim.validation.critical_force import CriticalForce, bisect_caps, check_predictions, expected_simulations
+from sim.validation.critical_force import CriticalForce, bisect_caps, expected_simulations
 from sim.validation.force_agreement import ForceAgreement, force_agreement
 from sim.validation.verdict import Verdict, judge, undecided, unheld
 
@@ -52,23 +48,8 @@ class Validation:
     reasons: tuple[str, ...]
     """Why rho is not confirmed, one sentence each; empty when it is."""
 
-    rigid_object: RigidObject
-    """What was held."""
-
-    rho: float
-    """Predicted force cap of a finger of strength 1 [N]."""
-
-    critical_wrench: int
-    """Index of the wrench that decides rho."""
-
-    phi: np.ndarray
-    """Predicted cap of every wrench, shape (wrenches,) [N]."""
-
-    strengths: np.ndarray
-    """Of the fingers, shape (contacts,): the cap of each is its strength times that of the simulation."""
-
-    planned_friction: np.ndarray
-    """Shape (contacts,)."""
+    grasp: LoadedGrasp
+    """What was measured."""
 
     simulated_friction: np.ndarray
     """Shape (contacts,)."""
@@ -122,32 +103,13 @@ def validate(
     Raises:
         SimulationError: When there are no contacts, or the experiment cannot be built or run as described.
     """
-    if not grasp.found:
-        raise SimulationError(f"there is no grasp to validate: the search ended with status {grasp.status}")
-    body, grasp = in_space(rigid_object, grasp)
     return validate_contacts(
-        body,
-        grasp.contacts,
-        grasp.task.reference_point,
-        grasp.task.wrenches,
-        grasp.rho,
-        grasp.critical_wrench,
-        grasp.phi,
-        protocol,
-        measure=measure,
-        thorough=thorough,
-        observe=observe,
+        LoadedGrasp.of(rigid_object, grasp), protocol, measure=measure, thorough=thorough, observe=observe
     )
 
 
 def validate_contacts(
-    rigid_object: RigidObject,
-    contacts: Contacts,
-    reference_point: np.ndarray,
-    wrenches: np.ndarray,
-    rho: float,
-    critical_wrench: int,
-    phi: np.ndarray,
+    grasp: LoadedGrasp,
     protocol: ValidationProtocol = ACTIVE,
     simulated_friction: np.ndarray | None = None,
     *,
@@ -158,13 +120,7 @@ def validate_contacts(
     """Measure whether the grasp holds every wrench just above rho, in an experiment whose controls behave.
 
     Args:
-        rigid_object: What the fingers hold.
-        contacts: The grasp, with the planned friction and the fingers' strengths.
-        reference_point: p_o, shape (3,) [m].
-        wrenches: Vertices of W_R about p_o, shape (wrenches, 6) [N, N m].
-        rho: Predicted force cap of a finger of strength 1 [N].
-        critical_wrench: Index of the wrench that decides rho.
-        phi: Predicted cap of every wrench, shape (wrenches,) [N].
+        grasp: What is measured.
         protocol: Settings and thresholds.
         simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
         measure: Bisect the cap of every wrench too.
@@ -174,62 +130,49 @@ def validate_contacts(
     Raises:
         SimulationError: When the experiment cannot be built or run as described.
     """
-    check_wrenches(wrenches, phi)
-    if not 0 <= critical_wrench < len(wrenches):
-        raise SimulationError(f"critical wrench {critical_wrench} is not an index of {len(wrenches)} wrenches")
     if measure:
-        check_predictions(phi)
-    friction = contacts.friction if simulated_friction is None else np.asarray(simulated_friction, dtype=float)
-    experiment = set_up(rigid_object, contacts, reference_point, rho, friction, protocol)
-    limited = on_friction_limit(contacts, reference_point, wrenches, protocol.friction_margin)
+        grasp.require_predictions()
+    experiment = set_up(grasp, protocol, simulated_friction)
+    friction, limited = experiment.scene.contacts.friction, grasp.friction_limited(protocol.friction_margin)
     objections: tuple[str, ...] = experiment.static.reasons()
     doubts: tuple[str, ...] = ()
     vertices = critical_force = beyond = None
     controls: tuple[Control, ...] = ()
     if not objections:
-        count = len(wrenches)
+        count = len(grasp.wrenches)
         work = Workload(observe, _expected(count, measure=measure, thorough=thorough))
         holding = work.part("holding every wrench", count)
-        trial = experiment.adaptive(wrenches, np.full(count, protocol.hold_factor))
+        trial = experiment.adaptive(grasp.wrenches, np.full(count, protocol.hold_factor))
         vertices = experiment.perform(trial, holding)
         controls = (
-            *_simple_controls(experiment, wrenches, critical_wrench, phi, limited=bool(limited[critical_wrench])),
-            friction_control(experiment, trial, reference_point, wrenches, work.part("controls", count + FEW)),
-            displacement_control(rigid_object, contacts, reference_point, wrenches, critical_wrench, protocol),
+            *_simple_controls(experiment, limited=bool(limited[grasp.critical_wrench])),
+            friction_control(experiment, trial, work.part("controls", count + FEW)),
+            displacement_control(grasp, protocol),
         )
         objections = unheld(vertices, limited, protocol.reach / experiment.units.length, protocol)
         doubts = undecided(vertices, limited, protocol)
         doubts += tuple(doubt for control in controls if (doubt := control.doubt()))
         if measure:
             part = work.part("bisecting the cap of every wrench", expected_simulations(count))
-            critical_force = bisect_caps(experiment, wrenches, phi, part)
+            critical_force = bisect_caps(experiment, part)
         if thorough:
             part = work.part("loads beyond the vertices", SIMULATIONS)
-            beyond = measure_beyond(experiment, wrenches, critical_wrench, observe=part)
+            beyond = measure_beyond(experiment, observe=part)
             objections, doubts = objections + beyond.objections(), doubts + beyond.doubts()
     return Validation(
         verdict=judge(objections, doubts),
         reasons=objections + doubts,
-        rigid_object=rigid_object,
-        rho=float(rho),
-        critical_wrench=int(critical_wrench),
-        phi=phi,
-        strengths=contacts.strengths,
-        planned_friction=contacts.friction,
+        grasp=grasp,
         simulated_friction=friction,
         static=experiment.static,
         limited=limited,
         vertices=vertices,
-        forces=force_agreement(vertices, friction, contacts.strengths) if vertices else None,
+        forces=force_agreement(vertices, friction, grasp.contacts.strengths) if vertices else None,
         controls=controls,
         critical_force=critical_force,
         beyond=beyond,
         protocol=protocol,
-        versions={
-            "mujoco": mujoco.__version__,
-            "numpy": np.__version__,
-            "dm-control": version("dm-control"),
-        },
+        versions=package_versions(),
     )
 
 
@@ -238,22 +181,14 @@ def _expected(wrenches: int, *, measure: bool, thorough: bool) -> int:
     return 2 * wrenches + FEW + (expected_simulations(wrenches) if measure else 0) + (SIMULATIONS if thorough else 0)
 
 
-def _simple_controls(
-    experiment: Experiment, wrenches: np.ndarray, critical_wrench: int, phi: np.ndarray, *, limited: bool
-) -> tuple[Control, Control]:
+def _simple_controls(experiment: Experiment, *, limited: bool) -> tuple[Control, Control]:
     """Less cap and no load: two more simulations of the same experiment."""
-    protocol = experiment.protocol
-    part = 0.0 if squeezes(experiment) else LIGHT
-    loads = np.vstack([wrenches[critical_wrench], part * wrenches[critical_wrench]])
-    outcome = experiment.measure(loads, np.array([protocol.control_factor, protocol.hold_factor]))
+    protocol, grasp = experiment.protocol, experiment.grasp
+    part, critical = 0.0 if squeezes(experiment) else LIGHT, grasp.wrenches[grasp.critical_wrench]
+    outcome = experiment.measure(
+        np.vstack([critical, part * critical]), np.array([protocol.control_factor, protocol.hold_factor])
+    )
     return (
-        cap_control(outcome.rows(slice(0, 1)), critical_wrench, float(phi[critical_wrench]), protocol),
-        creep_control(
-            outcome.rows(slice(1, 2)),
-            protocol,
-            part,
-            critical_wrench,
-            part * float(phi[critical_wrench]),
-            decidable=not (part and limited),
-        ),
+        cap_control(outcome.rows(slice(0, 1)), grasp, protocol),
+        creep_control(outcome.rows(slice(1, 2)), grasp, protocol, part, decidable=not (part and limited)),
     )

@@ -11,15 +11,13 @@ from planner.objects.parts.cylinder import Cylinder
 from planner.objects.pose import Pose
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.critical_force import CriticalForce, measure_critical_force
-from tests.strategies.planned_grasps import Planned, box, prism, rigid_object
+from tests.strategies.planned_grasps import Planned, box, prism
 
 FRICTION = 0.5
 
 
 def measured(planned: Planned, phi: np.ndarray, protocol: ValidationProtocol = ACTIVE) -> CriticalForce:
-    return measure_critical_force(
-        rigid_object(*planned.parts), planned.contacts, planned.reference_point, planned.wrenches, phi, protocol
-    )
+    return measure_critical_force(replace(planned.loaded, phi=phi), protocol)
 
 
 def few(planned: Planned) -> Planned:

@@ -1,5 +1,7 @@
 """Planar grasps in MuJoCo: slabs that move in their plane only, measured like any other grasp."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.rigid_object import RigidObject
 from sim.scene.object_joints import FreeJoint, PlanarJoints, joints_of
 from sim.trial.experiment import set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import STRICT
 from sim.validation.displacement import displaced_grasps
 from sim.validation.validation import Validation, validate_contacts
@@ -24,17 +27,8 @@ from tests.tools.commands import ASSETS
 def validated(name: str, fingers: int, *, rho_error: float = 1.0, friction_error: float = 1.0) -> Validation:
     """Validation to half a percent with rho and the simulated friction multiplied by their errors."""
     slab, grasp = planned(name, fingers)
-    return validate_contacts(
-        slab,
-        grasp.contacts,
-        grasp.task.reference_point,
-        grasp.task.wrenches,
-        rho_error * grasp.rho,
-        grasp.critical_wrench,
-        grasp.phi,
-        STRICT,
-        simulated_friction=friction_error * grasp.contacts.friction,
-    )
+    loaded = LoadedGrasp.of(slab, replace(grasp, phi=rho_error * grasp.phi))
+    return validate_contacts(loaded, STRICT, simulated_friction=friction_error * grasp.contacts.friction)
 
 
 @pytest.mark.parametrize("fingers", [2, 3])
@@ -78,7 +72,14 @@ def concave_corner(distance: float) -> tuple[str, ...]:
     facets = planar.outline.nearest_facet(points)
     _, normals = planar.outline.project(points, facets)
     contacts = lift_contacts(Contacts(points=points, normals=normals, friction=np.full(2, 0.3)))
-    experiment = set_up(extruded(planar), contacts, np.array([0.0, 0.02, 0.0]), 1.0, contacts.friction, STRICT)
+    grasp = LoadedGrasp(
+        rigid_object=extruded(planar),
+        contacts=contacts,
+        reference_point=np.array([0.0, 0.02, 0.0]),
+        wrenches=np.eye(1, 6),
+        phi=np.ones(1),
+    )
+    experiment = set_up(grasp, STRICT)
     return experiment.static.reasons()
 
 
@@ -91,7 +92,7 @@ def test_a_fingertip_in_a_concave_corner_narrower_than_itself_is_caught() -> Non
 def test_the_slab_slides_and_turns_as_mujoco_says() -> None:
     """The pose read from the joints' coordinates, against MuJoCo's own kinematics."""
     slab, grasp = planned("convex", 2)
-    scene = set_up(slab, grasp.contacts, np.zeros(3), grasp.rho, grasp.contacts.friction, STRICT).scene
+    scene = set_up(replace(LoadedGrasp.of(slab, grasp), reference_point=np.zeros(3)), STRICT).scene
     assert isinstance(scene.joints, PlanarJoints)
     assert scene.model.nq == scene.joints.positions + 3 * 2
     assert scene.model.nv == scene.joints.velocities + 3 * 2

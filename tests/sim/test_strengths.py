@@ -12,6 +12,7 @@ from planner.task import Task
 from sim.benches.dexgraspbench import dexgraspbench
 from sim.squeeze.squeeze import measure_squeeze_force
 from sim.trial.feed_forward import FeedForward
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE
 from sim.validation.critical_force import measure_critical_force
@@ -78,8 +79,7 @@ def test_a_weak_finger_in_another_place_is_refuted(prism: RigidObject, limited_g
 
 def test_the_measured_force_level_is_the_predicted(prism: RigidObject, limited_grasp: Grasp) -> None:
     grasp = few_wrenches(limited_grasp, 3)
-    task = grasp.task
-    critical = measure_critical_force(prism, grasp.contacts, task.reference_point, task.wrenches, grasp.phi)
+    critical = measure_critical_force(LoadedGrasp.of(prism, grasp))
     np.testing.assert_allclose(critical.ratios, 1.0, atol=5e-3)
 
 
@@ -109,9 +109,9 @@ def test_feed_forward_forces_keep_to_each_fingers_cap(limited_grasp: Grasp) -> N
 
 
 def test_modes_with_one_force_for_all_fingers_refuse(prism: RigidObject, limited_grasp: Grasp) -> None:
-    contacts, task = limited_grasp.contacts, limited_grasp.task
+    contacts = limited_grasp.contacts
     with pytest.raises(ContactError, match=r"strengths \[1.0, 1.0, 0.5\].* measure this grasp with fingers that adapt"):
-        measure_squeeze_force(prism, contacts, task.reference_point, task.wrenches)
+        measure_squeeze_force(LoadedGrasp.of(prism, limited_grasp))
     with pytest.raises(SettingError, match=r"strengths \[1.0, 1.0, 0.5\].*validate this grasp with fingers that adapt"):
         dexgraspbench(prism, contacts, limited_grasp.rho)
 

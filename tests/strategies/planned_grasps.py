@@ -14,6 +14,7 @@ from planner.objects.parts.box import Box
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart, RigidObject
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.validation import Validation, validate_contacts
 
@@ -44,17 +45,18 @@ class Planned:
         self, *, rho_error: float = 1.0, friction_error: float = 1.0, protocol: ValidationProtocol = ACTIVE
     ) -> Validation:
         """Validation with rho and the simulated friction multiplied by their errors."""
-        phi = self.phi
-        return validate_contacts(
-            rigid_object(*self.parts),
-            self.contacts,
-            self.reference_point,
-            self.wrenches,
-            rho=rho_error * float(phi.max()),
-            critical_wrench=int(phi.argmax()),
-            phi=phi,
-            protocol=protocol,
-            simulated_friction=friction_error * self.contacts.friction,
+        grasp = replace(self.loaded, phi=rho_error * self.phi)
+        return validate_contacts(grasp, protocol, simulated_friction=friction_error * self.contacts.friction)
+
+    @property
+    def loaded(self) -> LoadedGrasp:
+        """The grasp with its predicted caps."""
+        return LoadedGrasp(
+            rigid_object=rigid_object(*self.parts),
+            contacts=self.contacts,
+            reference_point=self.reference_point,
+            wrenches=self.wrenches,
+            phi=self.phi,
         )
 
 

@@ -18,6 +18,11 @@ from planner.objects.rigid_object import RigidObject
 class Slab(RigidObject):
     """A planar object in space: it moves in the plane z = 0 and turns about z, nothing else."""
 
+    @property
+    def in_plane(self) -> bool:
+        """Always."""
+        return True
+
 
 def extruded(planar: PlanarObject) -> Slab:
     """The slab of a planar object, its body frame that of the outline.

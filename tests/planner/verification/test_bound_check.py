@@ -93,7 +93,7 @@ def test_every_subset_is_settled_once(most_enumerated: int, monkeypatch: pytest.
     ]:
         if problem.fingers == 2 and problem.contacts.dimension == 3:
             continue  # pairs in space are not counted: they take no time
-        settled: list[int] = []
+        settled: list[float] = []
         check_bound(
             certificate,
             Claim(problem.fingers, problem.reference_point, problem.wrenches, bound),

@@ -1,10 +1,13 @@
 """Before the measurement: a fingertip that is not where it was planned is named."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from planner.contacts import Contacts
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE
 from sim.validation.validation import Validation, validate_contacts
 from tests.strategies.planned_grasps import box, prism, rigid_object
@@ -22,7 +25,15 @@ def held_at(top_x: float, *parts: ConvexPart) -> Validation:
     contacts = Contacts(points=points, normals=np.array([(0, 0, -1.0), (0, 0, 1.0)]), friction=np.full(2, 0.5))
     weight = np.array([[1.0, 0, 0, 0, 0, 0]])
     phi = np.array([0.5 * np.sqrt(1 + 1 / 0.5**2)])
-    return validate_contacts(rigid_object(*parts), contacts, np.array([top_x, 0, 0]), weight, float(phi[0]), 0, phi)
+    return validate_contacts(
+        LoadedGrasp(
+            rigid_object=rigid_object(*parts),
+            contacts=contacts,
+            reference_point=np.array([top_x, 0, 0]),
+            wrenches=weight,
+            phi=phi,
+        )
+    )
 
 
 def test_a_pinch_away_from_the_corner_is_confirmed() -> None:
@@ -63,8 +74,6 @@ def test_a_contact_off_the_surface_is_caught() -> None:
     planned = prism()
     lifted = planned.contacts.points - 1e-6 * planned.contacts.normals
     contacts = Contacts(points=lifted, normals=planned.contacts.normals, friction=planned.contacts.friction)
-    validation = validate_contacts(
-        rigid_object(*planned.parts), contacts, planned.reference_point, planned.wrenches, 0.669, 0, np.ones(64)
-    )
+    validation = validate_contacts(replace(planned.loaded, contacts=contacts))
     assert len(validation.reasons) == 3
     assert all("off the collision surface" in reason for reason in validation.reasons)

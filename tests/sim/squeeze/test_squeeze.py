@@ -17,18 +17,13 @@ from sim.commands.modes import MODES
 from sim.commands.validate import Options
 from sim.squeeze.document import FORMAT, SqueezeDocument, to_document, write_squeeze
 from sim.squeeze.squeeze import SQUEEZE, SqueezeForce, measure_squeeze_force
+from sim.trial.loaded_grasp import LoadedGrasp
 from tests.strategies.planned_grasps import Planned, box, prism, rigid_object
 from tests.tools.commands import ASSETS
 
 
 def squeezed(planned: Planned, friction_error: float = 1.0) -> SqueezeForce:
-    return measure_squeeze_force(
-        rigid_object(*planned.parts),
-        planned.contacts,
-        planned.reference_point,
-        planned.wrenches,
-        simulated_friction=friction_error * planned.contacts.friction,
-    )
+    return measure_squeeze_force(planned.loaded, simulated_friction=friction_error * planned.contacts.friction)
 
 
 @cache
@@ -48,7 +43,7 @@ def test_four_fingers_on_the_mug_need_the_predicted_squeeze_within_one_percent()
     mug = read_object(ASSETS / "mug" / "mug.xml")
     task = make_task("gravity", mug)
     grasp = plan(GraspProblem(mug, task, make_candidates(mug, "50", None, seed=0), 4))
-    squeeze = measure_squeeze_force(mug, grasp.contacts, task.reference_point, task.wrenches)
+    squeeze = measure_squeeze_force(LoadedGrasp.of(mug, grasp))
     assert squeeze.confirmed, (squeeze.lower, squeeze.upper, squeeze.predicted.squeeze_force)
     assert squeeze.lower > grasp.rho
 

@@ -1,5 +1,6 @@
 """Surveys: no wrong verdict on random grasps, and every wrong planner is noticed."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -7,25 +8,23 @@ import pytest
 
 from planner.forces.problem import ForceProblem
 from planner.objects.mjcf.reader import read_object
-from planner.task import Task
 from sim.studies.cost import measure_cost
 from sim.studies.fault_injection import SABOTAGES, PyramidForces, SquareForces, measure_sabotage
 from sim.studies.rho_table import rho_rows
-from sim.studies.survey import FeasibleGrasp, random_grasps, tally
-from tests.sim.test_support import block_on_table
-from tests.strategies.planned_grasps import prism, rigid_object
+from sim.studies.survey import random_grasps, tally
+from sim.trial.loaded_grasp import LoadedGrasp
+from tests.strategies.planned_grasps import prism
+from tests.strategies.support_loads import block_on_table
 from tests.tools.commands import ASSETS
 
 BOX = read_object(ASSETS / "box" / "box.xml")
 
 
 @cache
-def grasp() -> FeasibleGrasp:
+def grasp() -> LoadedGrasp:
     """Some wrenches of the paper's Case III."""
     planned = prism()
-    task = Task(name="some", reference_point=planned.reference_point, wrenches=planned.wrenches[6::16])
-    phi = planned.phi[6::16]
-    return FeasibleGrasp(rigid_object=rigid_object(*planned.parts), task=task, contacts=planned.contacts, phi=phi)
+    return replace(planned, wrenches=planned.wrenches[6::16]).loaded
 
 
 def test_no_single_wrench_of_random_grasps_is_judged_wrongly() -> None:
@@ -38,19 +37,13 @@ def test_no_single_wrench_of_random_grasps_is_judged_wrongly() -> None:
 
 def test_a_wrong_prediction_is_counted_as_wrong_verdicts() -> None:
     honest = grasp()
-    wrong = FeasibleGrasp(
-        rigid_object=honest.rigid_object, task=honest.task, contacts=honest.contacts, phi=1.05 * honest.phi
-    )
+    wrong = replace(honest, phi=1.05 * honest.phi)
     below, above = tally([wrong], (0.99, 1.01))
     assert below.wrong == below.tests == 4 and above.wrong == 0
 
 
 def test_wrenches_on_the_friction_limit_are_tallied_by_themselves() -> None:
-    planned = block_on_table(0.395)
-    task = Task(name="push", reference_point=planned.reference_point, wrenches=planned.wrenches)
-    pushed = FeasibleGrasp(
-        rigid_object=rigid_object(*planned.parts), task=task, contacts=planned.contacts, phi=planned.phi
-    )
+    pushed = block_on_table(0.395).loaded
     (below,) = tally([grasp(), pushed], (0.97,))
     assert (below.tests, below.limited) == (4, 1)
 
@@ -79,9 +72,7 @@ def test_an_inscribed_pyramid_needs_more_and_with_many_sides_no_more_than_the_co
         sides = 64
 
     case = grasp()
-    problem = ForceProblem(
-        contacts=case.contacts, reference_point=case.task.reference_point, wrench=case.task.wrenches[0]
-    )
+    problem = ForceProblem(contacts=case.contacts, reference_point=case.reference_point, wrench=case.wrenches[0])
     assert SquareForces(3, 3).solve(problem).phi > 1.02 * case.phi[0]
     assert ManySides(3, 3).solve(problem).phi == pytest.approx(case.phi[0], rel=2e-3)
 

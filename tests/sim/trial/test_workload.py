@@ -8,7 +8,7 @@ from sim.squeeze.squeeze import measure_squeeze_force
 from sim.trial.workload import Workload
 from sim.validation.critical_force import expected_simulations
 from sim.validation.validation import validate_contacts
-from tests.strategies.planned_grasps import prism, rigid_object
+from tests.strategies.planned_grasps import prism
 
 Told = list[tuple[str, float, float]]
 
@@ -38,17 +38,7 @@ def test_a_part_that_grows_makes_the_whole_grow() -> None:
 def test_a_validation_tells_how_far_it_is() -> None:
     few = replace(prism(), wrenches=prism().wrenches[::16])
     told: Told = []
-    validate_contacts(
-        rigid_object(*few.parts),
-        few.contacts,
-        few.reference_point,
-        few.wrenches,
-        rho=float(few.phi.max()),
-        critical_wrench=int(few.phi.argmax()),
-        phi=few.phi,
-        measure=True,
-        observe=lambda *line: told.append(line),
-    )
+    validate_contacts(few.loaded, measure=True, observe=lambda *line: told.append(line))
     done = [line[1] for line in told]
     count = len(few.wrenches)
     assert done == sorted(done)
@@ -60,13 +50,7 @@ def test_a_validation_tells_how_far_it_is() -> None:
 def test_a_squeeze_tells_how_far_it_is() -> None:
     few = replace(prism(), wrenches=prism().wrenches[::16])
     told: Told = []
-    measure_squeeze_force(
-        rigid_object(*few.parts),
-        few.contacts,
-        few.reference_point,
-        few.wrenches,
-        observe=lambda *line: told.append(line),
-    )
+    measure_squeeze_force(few.loaded, observe=lambda *line: told.append(line))
     done, expected = [line[1] for line in told], [line[2] for line in told]
     assert done == sorted(done)
     assert expected == sorted(expected, reverse=True)

@@ -11,30 +11,21 @@ from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE
 from sim.validation.beyond import Beyond, measure_beyond, measure_paths
 from sim.validation.wrench_samples import boundary_wrenches, interior_wrenches, reach, rotating_forces
-from tests.strategies.planned_grasps import prism, rigid_object
+from tests.strategies.planned_grasps import prism
 
 CUBE = np.array(list(product((-1.0, 1.0), repeat=6))) * np.array([2, 1, 3, 0.1, 0.2, 0.3])
 """|w_k| <= (2, 1, 3, 0.1, 0.2, 0.3)_k."""
 
 
-def experiment_of(rho_factor: float) -> tuple[Experiment, np.ndarray, int]:
+def experiment_of(rho_factor: float) -> Experiment:
     """The prism with the cap counted from another rho."""
-    planned = prism()
-    phi = planned.phi
-    experiment = set_up(
-        rigid_object(*planned.parts),
-        planned.contacts,
-        planned.reference_point,
-        rho_factor * float(phi.max()),
-        planned.contacts.friction,
-        ACTIVE,
-    )
-    return experiment, planned.wrenches, int(phi.argmax())
+    grasp = prism().loaded
+    return set_up(grasp, ACTIVE, newton=rho_factor * grasp.rho)
 
 
 @cache
 def beyond_of(rho_factor: float) -> Beyond:
-    return measure_beyond(*experiment_of(rho_factor))
+    return measure_beyond(experiment_of(rho_factor))
 
 
 def test_wrenches_and_turning_loads_in_the_set_are_held_and_what_is_outside_is_not() -> None:
@@ -46,9 +37,9 @@ def test_wrenches_and_turning_loads_in_the_set_are_held_and_what_is_outside_is_n
 
 
 def test_a_turning_load_is_held_above_the_largest_cap_predicted_on_its_path_and_lost_below() -> None:
-    experiment, wrenches, _ = experiment_of(1.0)
-    path = rotating_forces(wrenches)[:1]
-    needed = predicted_caps(experiment.contacts, np.zeros(3), path[0]).max() * experiment.units.force
+    experiment = experiment_of(1.0)
+    path = rotating_forces(experiment.grasp.wrenches)[:1]
+    needed = predicted_caps(experiment.grasp.contacts, np.zeros(3), path[0]).max() * experiment.units.force
     assert measure_paths(experiment, path, 1.02 * needed).held.all()
     assert not measure_paths(experiment, path, 0.9 * needed).held.any()
 

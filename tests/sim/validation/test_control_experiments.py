@@ -68,6 +68,6 @@ def test_a_contact_in_the_middle_of_a_face_too_small_to_move_on_stays() -> None:
     contacts = Contacts(points=points, normals=np.sign(-points), friction=np.full(2, 0.5))
     pull = np.array([[0, 0, -1.0, 0, 0, 0]])
     planned = Planned(parts=(thin,), contacts=contacts, reference_point=np.zeros(3), wrenches=pull)
-    control = displacement_control(rigid_object(thin), contacts, planned.reference_point, pull, 0, ACTIVE)
+    control = displacement_control(planned.loaded, ACTIVE)
     assert control.behaved and not len(control.held)
     assert control.outcome() == "not possible on this grasp"

@@ -7,21 +7,14 @@ import pytest
 
 from planner.errors import SimulationError
 from sim.validation.critical_force import CriticalForce, measure_critical_force
-from tests.strategies.planned_grasps import Planned, prism, rigid_object, with_friction
+from tests.strategies.planned_grasps import Planned, prism, with_friction
 
 CORNER = replace(prism(), wrenches=prism().wrenches[::8])
 """Every eighth wrench of the paper's Case III."""
 
 
 def measured(planned: Planned, phi: np.ndarray, simulated_friction: float) -> CriticalForce:
-    return measure_critical_force(
-        rigid_object(*planned.parts),
-        planned.contacts,
-        planned.reference_point,
-        planned.wrenches,
-        phi,
-        simulated_friction=np.full(3, simulated_friction),
-    )
+    return measure_critical_force(replace(planned.loaded, phi=phi), simulated_friction=np.full(3, simulated_friction))
 
 
 @pytest.mark.parametrize("friction", [0.29, 0.3, 0.31])

@@ -48,8 +48,8 @@ def test_vertices_tell_which_finger_slipped_at_which_force() -> None:
     document = to_document(validation)
     failed = next(record for record in document.vertices if not record.held)
     assert failed.slip == max(finger.slip for finger in failed.fingers if finger.loaded)
-    assert failed.phi == pytest.approx(validation.phi[failed.wrench])
-    assert failed.cap == pytest.approx(1.02 * 0.97 * validation.phi.max())
+    assert failed.phi == pytest.approx(validation.grasp.phi[failed.wrench])
+    assert failed.cap == pytest.approx(1.02 * validation.grasp.rho)
 
 
 def test_a_folder_that_is_not_there_is_reported(tmp_path: Path) -> None:

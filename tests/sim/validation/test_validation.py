@@ -30,7 +30,7 @@ def confirmed() -> Validation:
 def test_the_papers_case_iii_is_confirmed_even_within_half_a_percent() -> None:
     validation = prism().validated(protocol=STRICT)
     assert validation.verdict, validation.reasons
-    assert validation.rho == pytest.approx(0.66900, abs=1e-5)
+    assert validation.grasp.rho == pytest.approx(0.66900, abs=1e-5)
     assert validation.vertices is not None
     assert validation.vertices.slip.max() < 1e-5
     assert validation.controls[0].slips[0] > 5 * STRICT.slip_tolerance
@@ -85,7 +85,7 @@ def test_turning_and_moving_the_body_frame_changes_nothing() -> None:
 
 def test_an_object_ten_times_as_large_slips_alike_and_reports_its_own_newtons() -> None:
     small, large = confirmed(), prism(scale=10.0).validated()
-    assert large.rho == pytest.approx(100 * small.rho, rel=1e-6)
+    assert large.grasp.rho == pytest.approx(100 * small.grasp.rho, rel=1e-6)
     assert small.vertices is not None and large.vertices is not None
     np.testing.assert_allclose(large.vertices.slip, small.vertices.slip, atol=1e-6)
     np.testing.assert_allclose(large.vertices.measured_forces, 100 * small.vertices.measured_forces, rtol=1e-3)
