@@ -22,7 +22,7 @@ from tests.tools.commands import run
 ASSEMBLIES = 20
 """Of each kind."""
 
-CANDIDATES = 10
+CANDIDATES = 6
 """Of each assembly."""
 
 ONE = '<geom type="box" size=".03 .02 .01" mass=".2" friction=".5"/>'
