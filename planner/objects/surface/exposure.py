@@ -9,6 +9,8 @@ parts, too narrow for any fingertip.
 import numpy as np
 
 from planner.objects.graspable import Graspable
+from planner.objects.rigid_object import RigidObject
+from planner.objects.surface.coincident import covered_parts
 
 PROBES = (1e-6, 1e-2)
 """Heights above the surface at which other parts are asked, relative to the object's size."""
@@ -49,7 +51,8 @@ def reachable(
     """Whether a fingertip touching the outer surface at a point keeps clear of all other parts.
 
     The fingertip is a ball. Distances to other parts are taken to the
-    planes of their facets, so near a seam a little more than necessary is given up.
+    planes of their facets, so near a seam a little more than necessary is given up. Parts that others hold are not
+    asked: what keeps clear of those keeps clear of them.
 
     Args:
         rigid_object: The object.
@@ -63,10 +66,11 @@ def reachable(
     """
     clear = exposed(rigid_object, points, normals, part)
     radius = FINGERTIP * rigid_object.size if fingertip is None else fingertip
+    held = covered_parts(rigid_object) if isinstance(rigid_object, RigidObject) else {}
     centers, slack = points - radius * normals, max(SEAM * radius, PROBES[0] * rigid_object.size)
     for index, other in enumerate(rigid_object.parts):
         lower, upper = other.bounds()
         near = ((centers > lower - radius) & (centers < upper + radius)).all(axis=1)
-        asked = np.flatnonzero(clear & (part != index) & near)
+        asked = np.flatnonzero(clear & (part != index) & near & (index not in held))
         clear[asked] = other.depth(centers[asked]) <= slack - radius
     return clear

@@ -22,7 +22,7 @@ from tests.tools.commands import run
 ASSEMBLIES = 20
 """Of each kind."""
 
-CANDIDATES = 10
+CANDIDATES = 6
 """Of each assembly."""
 
 ONE = '<geom type="box" size=".03 .02 .01" mass=".2" friction=".5"/>'
@@ -116,3 +116,18 @@ def test_a_wrong_normal_is_refused_by_both(tmp_path: Path) -> None:
     with pytest.raises(CandidateError, match="1 have another normal"):
         confirmed_candidates(thing, asked)
     assert simulated(thing, wrong).reasons() and not simulated(thing, contacts).reasons()
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-7, 1e-5, 1e-3])
+def test_on_the_seam_of_a_face_that_two_boxes_share_a_finger_touches_one_surface(
+    aside: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path, ONE, '<geom type="box" size=".02 .02 .01" pos=".04 0 0" mass=".1"/>')  # overlap by 10 mm
+    thing = read_object(path)
+    point = np.array([[0.03 + aside, 0, 0.01]])  # about where the first box ends, inside the second
+    contacts = Contacts(points=point, normals=np.array([[0, 0, -1.0]]), friction=np.array([0.5]))
+    candidates = Candidates(contacts=contacts, part=np.ones(1, dtype=int), facet=np.zeros(1, dtype=int))
+    assert len(confirmed_candidates(thing, candidates).candidates) == 1
+    assert simulated(thing, contacts).reasons() == ()
+    assert run("grasp-inspect", path) == 0
+    assert "merged      faces of geom0 and geom1 coincide: planned on as one surface" in capsys.readouterr().out

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from planner.candidates.even import even_candidates
 from planner.objects.parts.box import Box
+from planner.objects.parts.ellipsoid import Ellipsoid
+from planner.objects.pose import Pose
 from planner.objects.surface.exposure import FINGERTIP, exposed, reachable
 from tests.strategies.parts import box, rigid_object
 
@@ -38,3 +41,13 @@ def test_beside_another_parts_wall_there_must_be_room_for_a_fingertip() -> None:
 def test_coplanar_faces_side_by_side_leave_room_for_a_fingertip() -> None:
     pair = rigid_object(box((0, 0, 0), (1, 1, 1)), box((2, 0, 0), (1, 1, 1)))
     assert reachable(pair, np.array([[0.9999, 0.0, 1.0]]), UP, np.array([0])).tolist() == [True]
+
+
+def test_a_part_that_another_holds_takes_no_room_from_fingertips() -> None:
+    def ellipsoid(shrink: float) -> Ellipsoid:
+        semi_axes = np.array([0.04, 0.02, 0.05]) - shrink
+        return Ellipsoid(geom="e", friction=0.5, pose=Pose.identity(), semi_axes=semi_axes)
+
+    for shrink in (0.0, 1e-6, 1e-3):
+        twins = rigid_object(ellipsoid(0.0), ellipsoid(shrink))
+        assert len(even_candidates(twins, 100, None, seed=0)) == 100
