@@ -36,6 +36,8 @@ from tests.strategies.grasps_and_wrenches import grasp_and_wrench
 from tests.strategies.planned_grasps import Planned, box
 from tests.tools.commands import ASSETS
 
+pytestmark = pytest.mark.slow
+
 WEIGHT = 9.81
 ORIGIN = np.zeros(3)
 
