@@ -19,9 +19,9 @@ def run_script(*arguments: object) -> int:
 
 def test_a_module_becomes_a_page_with_its_docstrings(tmp_path: Path) -> None:
     pytest.importorskip("pdoc", reason="an extra")
-    assert run_script("--out", tmp_path / "api", "--modules", "planner.objects.pose") == 0
-    page = (tmp_path / "api" / "planner" / "objects" / "pose.html").read_text()
-    assert "Pose" in page and "X_BG" not in page.split("</head>")[0]
+    assert run_script("--out", tmp_path / "api", "--modules", "planner.search.constraints") == 0
+    page = (tmp_path / "api" / "planner" / "search" / "constraints" / "spacing.html").read_text()
+    assert "neither too close to each other nor too far apart" in page
     assert (tmp_path / "api" / "index.html").is_file()
 
 
