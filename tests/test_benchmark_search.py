@@ -38,6 +38,8 @@ from scripts.search_benchmark.measured import Measured
 from scripts.search_benchmark.prism import prism_contacts, prism_problem
 from tests.tools.commands import ROOT, says
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def tiny() -> SearchProblem:

@@ -12,6 +12,8 @@ import pytest
 
 from tests.tools.commands import ASSETS, PRISM, ROOT, heavy_after, heavy_after_help, run, says
 
+pytestmark = pytest.mark.slow
+
 
 def plan_prism(out: Path, *arguments: object) -> int:
     return run(

@@ -11,6 +11,8 @@ from planner.task import make_task
 from sim.validation.validation import validate
 from tests.tools.commands import ASSETS
 
+pytestmark = pytest.mark.slow
+
 OBJECTS = sorted(path.parent.name for path in ASSETS.glob("*/*.xml"))
 
 

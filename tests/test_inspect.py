@@ -11,6 +11,8 @@ from planner.objects.rigid_object import RigidObject
 from tests.strategies.cups import box_cup, mesh_cup
 from tests.tools.commands import ASSETS, PRISM, heavy_after_help, run, says
 
+pytestmark = pytest.mark.slow
+
 
 def test_inspect_shows_what_the_planner_sees(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "cup.png"

@@ -14,6 +14,8 @@ import pytest
 from planner.grasps.grasp_file import read_grasp
 from tests.tools.commands import ASSETS, ROOT
 
+pytestmark = pytest.mark.slow
+
 LIFE = 4.0
 """Roughly how long the commands live after Python has started, imports included [s]."""
 

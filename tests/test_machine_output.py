@@ -16,6 +16,8 @@ import pytest
 from tests.tools.commands import ASSETS, PRISM, ROOT, run
 from tests.tools.terminals import screen
 
+pytestmark = pytest.mark.slow
+
 CASE_3 = ("--friction", 0.3, "--task", "paper", "--candidates", "case3")
 PLAN = [sys.executable, str(ROOT / "scripts" / "plan.py")]
 LONG = [*PLAN, str(ASSETS / "mug" / "mug.xml"), "--fingers", "5", "--candidates", "800"]

@@ -14,6 +14,8 @@ from tests.strategies.tied_bodies import BOTTLE, KEYS, MUG
 from tests.tools.commands import run, says
 from tests.tools.shared import shared
 
+pytestmark = pytest.mark.slow
+
 LIFT = "[set]\nkind = 'single'\nwrench = [0, 0, {}, 0, 0, 0]\n"
 
 SEARCH = ("--fingers", 3, "--friction", 0.6, "--gap", 0.01)

@@ -7,6 +7,8 @@ import pytest
 
 from tests.tools.commands import ASSETS, run, says
 
+pytestmark = pytest.mark.slow
+
 PLATE = ASSETS / "planar" / "convex.toml"
 
 

@@ -14,6 +14,8 @@ from planner.verification.bound_check import BoundCheck, Claim, check_bound
 from tests.tools.commands import ASSETS, run, says
 from tests.tools.shared import shared
 
+pytestmark = pytest.mark.slow
+
 BOX = ASSETS / "box" / "box.xml"
 
 STRENGTHS = "[[finger]]\n[[finger]]\nstrength = 0.7\n[[finger]]\nstrength = 1.3\n"

@@ -4,7 +4,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from tests.tools.commands import ROOT, says
+
+pytestmark = pytest.mark.slow
 
 
 def test_the_quick_reproduction_prints_the_papers_numbers_and_saves_its_figures(tmp_path: Path) -> None:

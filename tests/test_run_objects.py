@@ -10,6 +10,8 @@ from scripts.run_objects import objects
 from tests.strategies.mjcf_files import SHARED, SHARED_OBJECTS, written
 from tests.tools.commands import ASSETS, ROOT
 
+pytestmark = pytest.mark.slow
+
 SCRIPT = ROOT / "scripts" / "run_objects.py"
 
 

@@ -8,6 +8,8 @@ import pytest
 
 from tests.tools.commands import ROOT
 
+pytestmark = pytest.mark.slow
+
 
 def run_script(name: str, *arguments: object) -> int:
     """Run a script as a user types it; returns its exit code."""

@@ -10,6 +10,8 @@ import pytest
 
 from tests.tools.commands import MAINS, PRISM, ROOT, run
 
+pytestmark = pytest.mark.slow
+
 LONG = "n" * 300
 FULL = Path("/dev/full")
 

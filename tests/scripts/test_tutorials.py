@@ -12,6 +12,8 @@ import pytest
 from planner.grasps.grasp_file import read_grasp
 from tests.tools.commands import ROOT, says
 
+pytestmark = pytest.mark.slow
+
 TUTORIALS = ROOT / "scripts" / "tutorials"
 
 

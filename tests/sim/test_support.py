@@ -33,6 +33,8 @@ from tests.strategies.grasps_and_wrenches import grasp_and_wrench
 from tests.strategies.support_loads import ORIGIN, WEIGHT, ball_on_fingers, bar_in_v_block, block_on_table, nose_cone
 from tests.tools.commands import ASSETS
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("friction", [0.3, 0.6, 1.1])
 def test_a_bar_in_a_v_block_needs_the_force_of_the_closed_form_and_is_confirmed(friction: float) -> None:

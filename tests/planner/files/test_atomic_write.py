@@ -14,6 +14,8 @@ from planner.errors import OutputError
 from planner.files.atomic_write import BEGIN, END, require_writable, write_atomically
 from tests.tools.commands import ROOT
 
+pytestmark = pytest.mark.slow
+
 WRITE = """
 import os, random, sys, time
 from pathlib import Path

@@ -11,6 +11,8 @@ from planner.verification.bound_check import BoundCheck, Claim, check_bound
 from planner.verification.proof_check import certificate_of
 from tests.strategies.small_objects import settings, small_problem
 
+pytestmark = pytest.mark.slow
+
 SEEDS = 200
 BLOCK = 20
 """Seeds of one test."""

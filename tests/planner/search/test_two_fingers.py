@@ -3,6 +3,7 @@
 import tracemalloc
 
 import numpy as np
+import pytest
 
 from planner.contacts import Contacts
 from planner.search.certified import CertifiedSearch
@@ -11,6 +12,8 @@ from planner.search.problem import SearchProblem
 from planner.search.result import Progress, Status
 from planner.verification.bound_check import Claim, check_bound
 from planner.verification.proof_check import certificate_of
+
+pytestmark = pytest.mark.slow
 
 
 def ball(pairs: int) -> SearchProblem:

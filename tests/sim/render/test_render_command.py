@@ -11,6 +11,8 @@ from PIL import Image
 from sim.render.picture import Picture
 from tests.tools.commands import ROOT, heavy_after_help, run, says
 
+pytestmark = pytest.mark.slow
+
 
 def test_the_command_draws_and_says_what_was_seen(
     picture: Picture, golden_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -15,6 +15,7 @@ from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
 from sim.scene.static_check import StaticCheck
 from sim.trial.experiment import set_up
+from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE
 from tests.strategies.assemblies import KINDS, random_assembly
 from tests.tools.commands import run
@@ -37,7 +38,14 @@ def written(folder: Path, *geoms: str) -> Path:
 
 def simulated(thing: RigidObject, contacts: Contacts) -> StaticCheck:
     """What the simulator says of fingertips there, before anything moves."""
-    return set_up(thing, contacts, thing.center_of_mass, 1.0, contacts.friction, ACTIVE).static
+    grasp = LoadedGrasp(
+        rigid_object=thing,
+        contacts=contacts,
+        reference_point=thing.center_of_mass,
+        wrenches=np.eye(6)[:1],
+        phi=np.ones(1),
+    )
+    return set_up(grasp, ACTIVE).static
 
 
 @pytest.mark.parametrize("kind", range(len(KINDS)), ids=[kind.__name__.strip("_") for kind in KINDS])

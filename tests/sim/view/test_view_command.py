@@ -11,6 +11,8 @@ import pytest
 
 from tests.tools.commands import ROOT, heavy_after_help, run, says
 
+pytestmark = pytest.mark.slow
+
 
 def test_ctrl_c_ends_it_cleanly(golden_file: Path) -> None:
     pytest.importorskip("viser", reason="the live view needs the extra viz")

@@ -13,6 +13,8 @@ from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
 from tests.strategies.cups import HALF, WALL, box_cup, mesh_cup
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
