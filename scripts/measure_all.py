@@ -25,13 +25,13 @@ ASSETS = Path(__file__).resolve().parents[1] / "assets"
 NAMES = ("box", "bracket", "cylinder", "ellipsoid", "mug", "prism")
 FINGERS, FRICTIONS, GRASPS = (3, 4, 5), (0.2, 0.4, 0.6, 0.8, 1.0), 32
 FACTORS = (0.98, 0.99, 0.995, 1.005, 1.01, 1.02)
-SABOTAGED_FRICTION = 0.5
-MEASURED, TESTED, SABOTAGED = "grasps (measured rho)", "grasps (wrong verdicts)", "grasps (wrong planners)"
+FAULTY_FRICTION = 0.5
+MEASURED, TESTED, FAULTY = "grasps (measured rho)", "grasps (wrong verdicts)", "grasps (wrong planners)"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Measure rho over all assets, count wrong verdicts on random grasps, and sabotage the planner."""
+    """Measure rho over all assets, count wrong verdicts on random grasps, and inject faults into the planner."""
 
     out: Path = Path("measured")
     """Folder for the tables (CSV and Markdown) and the plot; made if missing."""
@@ -59,7 +59,7 @@ def measure_all(options: Options, console: Console) -> ExitCode:
     objects = [read_object(ASSETS / name / f"{name}.xml") for name in names]
     _rho(objects, options, console)
     wrong = _tally(objects, options, console)
-    _sabotage(objects, options, console)
+    _inject_faults(objects, options, console)
     console.say(f"wrote {options.out}")
     return ExitCode.FAILED if wrong else ExitCode.DONE
 
@@ -102,25 +102,25 @@ def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console)
     return sum(each.wrong for each in tallies)
 
 
-def _sabotage(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
+def _inject_faults(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 3."""
-    from sim.studies.fault_injection import SABOTAGES, measure_sabotage
+    from sim.studies.fault_injection import INJECTED_FAULTS, measure_fault
     from sim.studies.survey import planned_grasp
 
     rows: list[dict[str, object]] = []
-    sabotaged = objects[:1] if options.quick else objects
-    total = len(sabotaged) * len(SABOTAGES)
-    console.count(SABOTAGED, 0, total)
-    for rigid_object in sabotaged:
-        grasp = planned_grasp(rigid_object, FINGERS[0], SABOTAGED_FRICTION, options.seed)
-        for sabotage in SABOTAGES:
-            critical = measure_sabotage(grasp, sabotage)
+    tried = objects[:1] if options.quick else objects
+    total = len(tried) * len(INJECTED_FAULTS)
+    console.count(FAULTY, 0, total)
+    for rigid_object in tried:
+        grasp = planned_grasp(rigid_object, FINGERS[0], FAULTY_FRICTION, options.seed)
+        for fault in INJECTED_FAULTS:
+            critical = measure_fault(grasp, fault)
             ratio = critical.ratio if critical else float("nan")
             outcome = "no cap holds" if ratio == float("inf") else f"{ratio - 1:+.1%}"
-            console.say(f"{rigid_object.file.stem:12} {sabotage.name:32} {outcome}")
-            rows.append({"object": rigid_object.file.stem, "sabotage": sabotage.name, "ratio": ratio})
-            console.count(SABOTAGED, len(rows), total)
-    _save(options.out / "sabotage", rows)
+            console.say(f"{rigid_object.file.stem:12} {fault.name:32} {outcome}")
+            rows.append({"object": rigid_object.file.stem, "fault": fault.name, "ratio": ratio})
+            console.count(FAULTY, len(rows), total)
+    _save(options.out / "fault_injection", rows)
 
 
 def _save(stem: Path, rows: list[dict[str, object]]) -> None:

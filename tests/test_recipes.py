@@ -9,7 +9,6 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
-from planner.wrench_sets.kinds import KINDS
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
@@ -38,8 +37,9 @@ from planner.search.regions.candidate_tree import CandidateTree
 from planner.search.result import Progress, SearchResult, Status
 from planner.task import make_task
 from planner.verification.proof_check import with_checked_proof
+from planner.wrench_sets.by_name import KINDS
 from sim.validation import validation
-from sim.validation.control_experiment import Control
+from sim.validation.control_experiment import ControlExperiment
 from sim.validation.validation import validate
 from tests.tools.commands import ASSETS, ROOT, run
 
@@ -197,9 +197,9 @@ def test_add_export(grasp: Grasp, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 def test_add_control_experiment(
     behaves: bool, problem: GraspProblem, grasp: Grasp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def wishful_control(*_: object) -> Control:
+    def wishful_control(*_: object) -> ControlExperiment:
         numbers, yes = np.ones(1), np.array([True])
-        return Control(
+        return ControlExperiment(
             name="wishful",
             change="nothing at all",
             wrenches=np.zeros(1, dtype=int),
@@ -238,7 +238,7 @@ class FirstThatHolds(CertifiedSearch):
             status=Status.HEURISTIC,
             grasps=(first,),
             lower_bound=0.0,
-            directions=np.empty((0, problem.wrenches.shape[1])),
+            cuts=np.empty((0, problem.wrenches.shape[1])),
             trace=(end,),
         )
 

@@ -16,9 +16,9 @@ from sim.scene.fingertips import Fingertips
 from sim.scene.floating_object import FloatingObject
 from sim.scene.placement import placed_scene
 from sim.scene.scene import Scene
-from sim.scene.units import Similarity
+from sim.scene.units import Units
 
-REAL = Similarity(reference_point=np.zeros(3), length=1.0, force=1.0)
+REAL = Units(reference_point=np.zeros(3), length=1.0, force=1.0)
 """Real metres and newtons, body frame."""
 
 

@@ -18,7 +18,7 @@ MESH = mujoco.mjtGeom.mjGEOM_MESH
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Decor:
+class Annotations:
     """Adds shapes to one scene."""
 
     scene: mujoco.MjvScene

@@ -34,7 +34,7 @@ SHADOW_PIXELS = 384
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Stage:
+class DrawnScene:
     """A model to draw."""
 
     model: mujoco.MjModel
@@ -55,9 +55,9 @@ class Stage:
     """Half of the floor's width; its middle is below the reference point [m]."""
 
 
-def build_stage(
+def drawn_scene(
     rigid_object: RigidObject, experiment: Experiment, view: View, floor: float, width: int, height: int
-) -> Stage:
+) -> DrawnScene:
     """Compose and compile the model.
 
     Args:
@@ -88,7 +88,7 @@ def build_stage(
         model = mujoco.MjModel.from_xml_string(root.to_xml_string(precision=PRECISION), root.get_assets())
     except ValueError as error:
         raise SimulationError(f"MuJoCo cannot compile the scene to draw: {error}") from error
-    return Stage(
+    return DrawnScene(
         model=model,
         cones=tuple(model.mesh(name).id for name in names),
         head=model.mesh(HEAD).id,

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim.render.annotations import Decor
+from sim.render.annotations import Annotations
 from sim.render.palette import LOAD
 from sim.render.proportions import ARC_ROD, ARROW, SHAFT
 from sim.render.sight import exit_distance
@@ -43,15 +43,15 @@ class Load:
     size: float
     """Of the object [m]."""
 
-    def draw(self, decor: Decor, shift: np.ndarray, share: float) -> None:
+    def draw(self, annotations: Annotations, shift: np.ndarray, share: float) -> None:
         """Draw a part of the load on an object that has moved by `shift`, shape (3,) [m]."""
         if not share > 0:
             return
         if self.force.any():
-            decor.arrow(self.tip_at(share) + shift, share * self.force, SHAFT * self.size, LOAD)
+            annotations.arrow(self.tip_at(share) + shift, share * self.force, SHAFT * self.size, LOAD)
         if self.moment.any():
             axis = self.moment / np.linalg.norm(self.moment)
-            decor.turn(self.center + shift, axis, share, TURN * self.size, ARC_ROD * self.size, LOAD)
+            annotations.turn(self.center + shift, axis, share, TURN * self.size, ARC_ROD * self.size, LOAD)
 
     def points(self) -> np.ndarray:
         """What must be in the picture, shape (n, 3) [m]."""

@@ -6,10 +6,10 @@ import mujoco
 import numpy as np
 
 from planner.objects.rigid_object import RigidObject
-from sim.render.annotations import Decor
+from sim.render.annotations import Annotations
 from sim.render.canvas import Canvas
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
-from sim.render.drawn_scene import SHADOW_PIXELS, build_stage
+from sim.render.drawn_scene import SHADOW_PIXELS, drawn_scene
 from sim.render.extent import extent
 from sim.render.load import placed_load
 from sim.render.outline import visible_edges
@@ -79,11 +79,11 @@ class Panel:
         corners = self._triangles.reshape(-1, 3)
         shadow = np.column_stack([fallen(corners, floor), np.full(len(corners), floor)])
         self.view = towards.fitted(np.concatenate([shown, shadow]), width / height)
-        self._stage = build_stage(rigid_object, recording.experiment, self.view, floor, width, height)
-        self._data = mujoco.MjData(self._stage.model)
-        geoms = GEOMS_PER_LOAD + GEOMS_PER_FINGER * len(contacts) + 2 * len(self._edges) + self._stage.model.ngeom
-        self._scene = mujoco.MjvScene(self._stage.model, geoms)
-        self._canvas = Canvas(self._stage.model, width, height)
+        self._drawn = drawn_scene(rigid_object, recording.experiment, self.view, floor, width, height)
+        self._data = mujoco.MjData(self._drawn.model)
+        geoms = GEOMS_PER_LOAD + GEOMS_PER_FINGER * len(contacts) + 2 * len(self._edges) + self._drawn.model.ngeom
+        self._scene = mujoco.MjvScene(self._drawn.model, geoms)
+        self._canvas = Canvas(self._drawn.model, width, height)
 
     @property
     def has_edges(self) -> bool:
@@ -100,49 +100,49 @@ class Panel:
         share = float(self._recording.loads[step])
         placed = self._triangles @ pose.rotation.T + pose.position
         self._place(pose, placed)
-        decor = Decor(scene=self._scene, model=self._stage.model, head=self._stage.head)
-        self._draw_edges(decor, pose, ghost=simulation > 0)
-        self._draw_cones(decor, pose)
-        self._draw_arrows(decor, pose, share)
+        annotations = Annotations(scene=self._scene, model=self._drawn.model, head=self._drawn.head)
+        self._draw_edges(annotations, pose, ghost=simulation > 0)
+        self._draw_cones(annotations, pose)
+        self._draw_arrows(annotations, pose, share)
         pixels = self._canvas.draw(self._scene)
         self._scene.ngeom = 0
-        self._draw_arrows(decor, pose, share)
+        self._draw_arrows(annotations, pose, share)
         return _shining_through(pixels, self._canvas.draw(self._scene)), self._labels(pose, placed)
 
     def _place(self, pose: DrawnPose, triangles: np.ndarray) -> None:
         """Put the object, and its shadow, where they belong; everything else is taken away."""
-        stage, data = self._stage, self._data
+        drawn, data = self._drawn, self._data
         data.mocap_pos[0] = pose.position
         mujoco.mju_mat2Quat(data.mocap_quat[0], pose.rotation.ravel())
-        mujoco.mj_forward(stage.model, data)
-        texture = soft_shadow(triangles, stage.floor, stage.floor_half, SHADOW_PIXELS)
-        self._canvas.upload(stage.model, stage.shadow, texture)
+        mujoco.mj_forward(drawn.model, data)
+        texture = soft_shadow(triangles, drawn.floor, drawn.floor_half, SHADOW_PIXELS)
+        self._canvas.upload(drawn.model, drawn.shadow, texture)
         everything = mujoco.mjtCatBit.mjCAT_ALL.value
-        mujoco.mjv_updateScene(stage.model, data, mujoco.MjvOption(), None, self.view.camera(), everything, self._scene)
+        mujoco.mjv_updateScene(drawn.model, data, mujoco.MjvOption(), None, self.view.camera(), everything, self._scene)
 
-    def _draw_edges(self, decor: Decor, pose: DrawnPose, ghost: bool) -> None:
+    def _draw_edges(self, annotations: Annotations, pose: DrawnPose, ghost: bool) -> None:
         """The object's edges, and where they were planned if the object is to be lost."""
         lift = LIFT * self._size * self.view.axes[2]
         width = max(1.0, EDGE_WIDTH * self.height)
         for start, stop in self._edges @ pose.rotation.T + pose.position + lift:
-            decor.line(start, stop, width, EDGE)
+            annotations.line(start, stop, width, EDGE)
         if ghost:
             for start, stop in self._edges - lift:
-                decor.line(start, stop, width, GHOST)
+                annotations.line(start, stop, width, GHOST)
 
-    def _draw_cones(self, decor: Decor, pose: DrawnPose) -> None:
+    def _draw_cones(self, annotations: Annotations, pose: DrawnPose) -> None:
         """Friction cones are mirrored to the outside, where the arrows are: one on the mantle is about to slide."""
-        for mesh, contact, normal in zip(self._stage.cones, pose.contacts, pose.normals, strict=True):
-            decor.cone(mesh, contact, -normal, CONE_HEIGHT * self._size, CONE, CONE_OPACITY)
+        for mesh, contact, normal in zip(self._drawn.cones, pose.contacts, pose.normals, strict=True):
+            annotations.cone(mesh, contact, -normal, CONE_HEIGHT * self._size, CONE, CONE_OPACITY)
 
-    def _draw_arrows(self, decor: Decor, pose: DrawnPose, share: float) -> None:
+    def _draw_arrows(self, annotations: Annotations, pose: DrawnPose, share: float) -> None:
         """Fingertips with their forces, which end at the contacts, and the load."""
         size, radius = self._size, self._recording.experiment.scene.tip_radius
         for tip, contact, force in zip(pose.tips, pose.contacts, pose.forces, strict=True):
-            decor.sphere(tip, radius, TIP)
+            annotations.sphere(tip, radius, TIP)
             if np.linalg.norm(force) > LEAST_FORCE:
-                decor.arrow(contact, ARROW * size * force, SHAFT * size, FORCE)
-        self._load.draw(decor, pose.position, share)
+                annotations.arrow(contact, ARROW * size * force, SHAFT * size, FORCE)
+        self._load.draw(annotations, pose.position, share)
 
     def _extent(self) -> np.ndarray:
         """Points that must be in the picture, shape (n, 3) [m]: everything at the end, and where it was planned."""

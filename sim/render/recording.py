@@ -177,7 +177,7 @@ def record(
     if reasons := experiment.static.reasons():
         raise SimulationError("; ".join(reasons))
     caps = np.array([protocol.hold_factor, protocol.control_factor]) * need / grasp.rho
-    trial = experiment.adaptive(np.repeat(grasp.task.wrenches[[shown]], len(caps), axis=0), caps)
+    trial = experiment.active(np.repeat(grasp.task.wrenches[[shown]], len(caps), axis=0), caps)
     coordinates, readings = [np.tile(experiment.scene.model.qpos0, (len(caps), 1))], []
 
     def keep(positions: np.ndarray, sensors: np.ndarray) -> None:

@@ -9,7 +9,7 @@ from planner.objects.rigid_object import ConvexPart
 from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.object_joints import FreeJoint, ObjectJoints
 from sim.scene.part_geom import add_part
-from sim.scene.units import Similarity
+from sim.scene.units import Units
 
 OBJECT = "object"
 """Name of the object's body."""
@@ -22,7 +22,7 @@ class FloatingObject:
     parts: Sequence[ConvexPart]
     """Collision geoms, in the body frame, SI."""
 
-    units: Similarity
+    units: Units
     """Map to the units of the scene."""
 
     mass: float

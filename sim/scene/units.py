@@ -17,7 +17,7 @@ WHAT_R0_IS = "the largest distance of a contact from the reference point"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Similarity:
+class Units:
     """Map from the body frame in SI to the experiment: same axes, origin at p_o, its own metre and newton."""
 
     reference_point: np.ndarray
@@ -42,7 +42,7 @@ class Similarity:
         return replace(contacts, points=self.points(contacts.points))
 
 
-def similarity(contacts: Contacts, reference_point: np.ndarray, rho: float, reach: float) -> Similarity:
+def units_of(contacts: Contacts, reference_point: np.ndarray, rho: float, reach: float) -> Units:
     """The map under which the farthest contact is `reach` from the origin and rho is one newton.
 
     Raises:
@@ -57,4 +57,4 @@ def similarity(contacts: Contacts, reference_point: np.ndarray, rho: float, reac
     farthest = float(np.linalg.norm(contacts.points - reference_point, axis=1).max(initial=0))
     if not farthest > 0:
         raise SimulationError("no contact away from the reference point: the grasp has no size to scale by")
-    return Similarity(reference_point=reference_point, length=reach / farthest, force=1 / rho)
+    return Units(reference_point=reference_point, length=reach / farthest, force=1 / rho)

@@ -59,7 +59,7 @@ def measure_cost(fingers: int, wrenches: int, *, bisect: bool, protocol: Validat
     began = perf_counter()
     experiment = set_up(grasp, protocol)
     built = perf_counter()
-    trial = experiment.adaptive(grasp.wrenches, np.full(wrenches, protocol.hold_factor))
+    trial = experiment.active(grasp.wrenches, np.full(wrenches, protocol.hold_factor))
     answered = perf_counter()
     experiment.perform(trial)
     stepped = perf_counter()

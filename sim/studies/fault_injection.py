@@ -1,7 +1,7 @@
 """Planners that are wrong, on purpose: would the measurement notice?
 
-A sabotage lets the planner believe something false, and if it misleads also the fingers, while the simulation stays
-true. The wrong prediction is then compared with what MuJoCo measures.
+An injected fault lets the planner believe something false, and if it misleads also the fingers, while the simulation
+stays true. The wrong prediction is then compared with what MuJoCo measures.
 """
 
 from collections.abc import Callable
@@ -30,7 +30,7 @@ OFFSET = 0.05 * np.array([1.0, 1.0, 1.0]) / np.sqrt(3)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sabotage:
+class InjectedFault:
     """One way to be wrong."""
 
     name: str
@@ -55,9 +55,9 @@ class MisledExperiment(Experiment):
     believed: Callable[[np.ndarray], np.ndarray]
     """From the true wrenches to the believed ones, shape (l, 6) [N, N m]."""
 
-    def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+    def active(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
         """Forces for what is believed, wrenches as they are."""
-        trial = super().adaptive(self.believed(wrenches), caps)
+        trial = super().active(self.believed(wrenches), caps)
         return replace(trial, wrenches=self.units.wrenches(wrenches))
 
 
@@ -108,26 +108,26 @@ def _with_moments_reversed(wrenches: np.ndarray, _: float) -> np.ndarray:
     return wrenches * np.repeat([1.0, -1.0], 3)
 
 
-SABOTAGES = (
-    Sabotage(name="none"),
-    Sabotage(name="4-sided inscribed pyramid", predict=_by(SquareForces)),
-    Sabotage(name="8-sided inscribed pyramid", predict=_by(OctagonForces)),
-    Sabotage(name="moment reference off by 0.05 R0", believed=_about_a_wrong_point),
-    Sabotage(name="wrench 3 % larger in truth", believed=lambda wrenches, _: wrenches / 1.03),
-    Sabotage(name="friction 5 % lower in truth", friction_factor=0.95),
-    Sabotage(name="moment sign wrong", believed=_with_moments_reversed, misleads=True),
+INJECTED_FAULTS = (
+    InjectedFault(name="none"),
+    InjectedFault(name="4-sided inscribed pyramid", predict=_by(SquareForces)),
+    InjectedFault(name="8-sided inscribed pyramid", predict=_by(OctagonForces)),
+    InjectedFault(name="moment reference off by 0.05 R0", believed=_about_a_wrong_point),
+    InjectedFault(name="wrench 3 % larger in truth", believed=lambda wrenches, _: wrenches / 1.03),
+    InjectedFault(name="friction 5 % lower in truth", friction_factor=0.95),
+    InjectedFault(name="moment sign wrong", believed=_with_moments_reversed, misleads=True),
 )
 """The table of ways to be wrong, the honest planner first."""
 
 
-def measure_sabotage(
-    grasp: LoadedGrasp, sabotage: Sabotage, protocol: ValidationProtocol = ACTIVE
+def measure_fault(
+    grasp: LoadedGrasp, fault: InjectedFault, protocol: ValidationProtocol = ACTIVE
 ) -> CriticalForce | None:
-    """What MuJoCo measures against the sabotaged prediction.
+    """What MuJoCo measures against the wrong prediction.
 
     Args:
         grasp: A feasible grasp.
-        sabotage: What is wrong.
+        fault: What is wrong.
         protocol: Settings.
 
     Returns:
@@ -138,11 +138,11 @@ def measure_sabotage(
     """
     contacts, point, wrenches = grasp.contacts, grasp.reference_point, grasp.wrenches
     radius = float(np.linalg.norm(contacts.points - point, axis=1).max())
-    phi = sabotage.predict(contacts, point, sabotage.believed(wrenches, radius))
+    phi = fault.predict(contacts, point, fault.believed(wrenches, radius))
     if not np.isfinite(phi).all():
         return None
-    factor = sabotage.friction_factor
+    factor = fault.friction_factor
     experiment = set_up(replace(grasp, phi=phi), protocol, factor * contacts.friction, newton=grasp.rho)
-    if sabotage.misleads:
-        experiment = MisledExperiment(**vars(experiment), believed=lambda true: sabotage.believed(true, radius))
+    if fault.misleads:
+        experiment = MisledExperiment(**vars(experiment), believed=lambda true: fault.believed(true, radius))
     return bisect_caps(experiment)

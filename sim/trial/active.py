@@ -3,14 +3,14 @@
 import numpy as np
 
 from planner.contacts import Contacts, grasp_maps
-from sim.scene.units import Similarity
+from sim.scene.units import Units
 from sim.trial.feed_forward import FeedForward
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.trial import Trial
 
 
-def adaptive_trial(
-    contacts: Contacts, units: Similarity, wrenches: np.ndarray, caps: np.ndarray, protocol: ValidationProtocol
+def active_trial(
+    contacts: Contacts, units: Units, wrenches: np.ndarray, caps: np.ndarray, protocol: ValidationProtocol
 ) -> Trial:
     """A trial whose forces answer each wrench within its cap with the least friction utilisation.
 

@@ -13,8 +13,8 @@ from sim.scene.object_joints import ObjectJoints, joints_of
 from sim.scene.placement import placed_scene
 from sim.scene.scene import Scene, with_friction
 from sim.scene.static_check import StaticCheck
-from sim.scene.units import Similarity, similarity
-from sim.trial.active import adaptive_trial
+from sim.scene.units import Units, units_of
+from sim.trial.active import active_trial
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ValidationProtocol
@@ -32,7 +32,7 @@ class Experiment:
 
     grasp: LoadedGrasp
 
-    units: Similarity
+    units: Units
     scene: Scene
     protocol: ValidationProtocol
 
@@ -55,13 +55,13 @@ class Experiment:
         parts = []
         for start in range(0, len(caps), MOST_SIMULATIONS):
             rows = slice(start, start + MOST_SIMULATIONS)
-            trial = self.adaptive(wrenches[rows], caps[rows])
+            trial = self.active(wrenches[rows], caps[rows])
             parts.append(self.perform(trial, _after(start, observe)))
         return Measurement.joined(parts)
 
-    def adaptive(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+    def active(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
         """The trial in which the forces answer each wrench within its cap; see `measure`."""
-        return adaptive_trial(self.grasp.contacts, self.units, wrenches, caps, self.protocol)
+        return active_trial(self.grasp.contacts, self.units, wrenches, caps, self.protocol)
 
     def perform(self, trial: Trial, observe: Done = lambda _: None) -> Measurement:
         """Run one batch.
@@ -113,7 +113,7 @@ def set_up(
     """
     rigid_object, contacts = grasp.rigid_object, grasp.contacts
     force = grasp.rho if newton is None else newton
-    units = similarity(contacts, grasp.reference_point, force, protocol.reach)
+    units = units_of(contacts, grasp.reference_point, force, protocol.reach)
     held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
     touching = units.contacts(contacts if friction is None else replace(contacts, friction=np.asarray(friction, float)))
     tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
@@ -123,7 +123,7 @@ def set_up(
 
 
 def floating_object(
-    parts: Sequence[ConvexPart], units: Similarity, protocol: ValidationProtocol, joints: ObjectJoints
+    parts: Sequence[ConvexPart], units: Units, protocol: ValidationProtocol, joints: ObjectJoints
 ) -> FloatingObject:
     """The object with its centre of mass at the reference point, where MuJoCo then applies the wrenches.
 

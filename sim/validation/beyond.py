@@ -114,7 +114,7 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
         SimulationError: When MuJoCo stops or loses a simulation.
     """
     count, corners = paths.shape[:2]
-    answers = experiment.adaptive(paths.reshape(-1, 6), np.full(count * corners, cap))
+    answers = experiment.active(paths.reshape(-1, 6), np.full(count * corners, cap))
     wrenches = answers.wrenches.reshape(count, corners, 6)
     forces = answers.forces.reshape(count, corners, -1, 3)
     caps = answers.caps[::corners]

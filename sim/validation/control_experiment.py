@@ -10,7 +10,7 @@ import numpy as np
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Control:
+class ControlExperiment:
     """One change to the experiment with its predicted and its observed outcome, per simulation."""
 
     name: str

@@ -14,11 +14,11 @@ from sim.trial.measurement import Measurement
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.trial import Trial
-from sim.validation.control_experiment import Control
+from sim.validation.control_experiment import ControlExperiment
 from sim.validation.displacement import DisplacedGrasp, displaced_grasps
 
 
-def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationProtocol) -> Control:
+def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationProtocol) -> ControlExperiment:
     """The critical wrench with the cap below rho must slip.
 
     Args:
@@ -27,7 +27,7 @@ def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationPr
         protocol: Settings.
     """
     critical_wrench = grasp.critical_wrench
-    return Control(
+    return ControlExperiment(
         name="cap",
         change=f"critical wrench {critical_wrench} with the cap at {protocol.control_factor:g} rho",
         wrenches=np.array([critical_wrench]),
@@ -49,7 +49,7 @@ def squeezes(experiment: Experiment) -> bool:
 
 def creep_control(
     outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationProtocol, part: float, *, decidable: bool
-) -> Control:
+) -> ControlExperiment:
     """Fingers that only squeeze must not creep; where they cannot squeeze, nor under a light load.
 
     Args:
@@ -61,7 +61,7 @@ def creep_control(
     """
     critical_wrench = grasp.critical_wrench
     load = f"these fingers cannot squeeze; {part:g} of critical wrench {critical_wrench}" if part else "no load"
-    return Control(
+    return ControlExperiment(
         name="creep",
         change=f"{load}; the slip must stay below {protocol.creep_tolerance:g} R0",
         wrenches=np.array([critical_wrench if part else -1]),
@@ -74,7 +74,7 @@ def creep_control(
     )
 
 
-def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambda _: None) -> Control:
+def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambda _: None) -> ControlExperiment:
     """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
 
     The friction is lowered until theory says that some wrench is lost: a grasp that friction does not limit holds as
@@ -93,7 +93,7 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     factor, phi = _losing_friction(grasp, cap, protocol)
     friction = factor * grasp.contacts.friction
     outcome = experiment.with_friction(friction).perform(trial, observe)
-    return Control(
+    return ControlExperiment(
         name="friction",
         change=f"friction at {factor:.3g} of the planned, cap at {protocol.hold_factor:g} rho",
         wrenches=np.arange(len(grasp.wrenches)),
@@ -122,7 +122,7 @@ def _losing_friction(grasp: LoadedGrasp, cap: float, protocol: ValidationProtoco
     return tried[0]
 
 
-def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> Control:
+def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> ControlExperiment:
     """A grasp with one contact moved must have the rho predicted for it, held just above and lost just below.
 
     Of all small displacements the one is taken that changes the predicted cap of the critical wrench most.
@@ -148,7 +148,7 @@ def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> 
             grasp.wrenches[[worst, worst]], np.array([protocol.hold_factor, protocol.control_factor])
         )
         moved = f"finger {displaced.finger + 1} moved {in_mm(displaced.distance, 3)} mm"
-        return Control(
+        return ControlExperiment(
             name="displaced contact",
             change=f"{moved}, its own rho {grasp.rho:.5g} N",
             wrenches=np.array([worst, worst]),
@@ -162,10 +162,10 @@ def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> 
     return _impossible("displaced contact", "no contact can move along its face and leave a grasp off its limits")
 
 
-def _impossible(name: str, why: str) -> Control:
+def _impossible(name: str, why: str) -> ControlExperiment:
     """A control that this grasp does not allow."""
     numbers, answers = np.zeros(0), np.zeros(0, dtype=bool)
-    return Control(
+    return ControlExperiment(
         name=name,
         change=why,
         wrenches=np.zeros(0, dtype=int),

@@ -10,7 +10,7 @@ from planner.files.versioned_document import write_document
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
 from sim.validation.beyond import Beyond
-from sim.validation.control_experiment import Control
+from sim.validation.control_experiment import ControlExperiment
 from sim.validation.critical_force import CriticalForce
 from sim.validation.force_agreement import ForceAgreement
 from sim.validation.validation import Validation
@@ -237,7 +237,7 @@ def write_validation(path: Path, validation: Validation, *, grasp: str | None = 
     write_document(path, to_document(validation, grasp=grasp))
 
 
-def _control(control: Control) -> ControlRecord:
+def _control(control: ControlExperiment) -> ControlRecord:
     columns = (
         control.wrenches,
         control.phi,

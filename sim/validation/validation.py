@@ -20,7 +20,7 @@ from sim.trial.measurement import Measurement
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.workload import Workload
 from sim.validation.beyond import SIMULATIONS, Beyond, measure_beyond
-from sim.validation.control_experiment import Control
+from sim.validation.control_experiment import ControlExperiment
 from sim.validation.control_experiments import (
     cap_control,
     creep_control,
@@ -66,7 +66,7 @@ class Validation:
     forces: ForceAgreement | None
     """Predicted against measured forces of `vertices`."""
 
-    controls: tuple[Control, ...]
+    controls: tuple[ControlExperiment, ...]
     """What shows that the experiment can be believed; empty if nothing was simulated."""
 
     critical_force: CriticalForce | None
@@ -137,12 +137,12 @@ def validate_contacts(
     objections: tuple[str, ...] = experiment.static.reasons()
     doubts: tuple[str, ...] = ()
     vertices = critical_force = beyond = None
-    controls: tuple[Control, ...] = ()
+    controls: tuple[ControlExperiment, ...] = ()
     if not objections:
         count = len(grasp.wrenches)
         work = Workload(observe, _expected(count, measure=measure, thorough=thorough))
         holding = work.part("holding every wrench", count)
-        trial = experiment.adaptive(grasp.wrenches, np.full(count, protocol.hold_factor))
+        trial = experiment.active(grasp.wrenches, np.full(count, protocol.hold_factor))
         vertices = experiment.perform(trial, holding)
         controls = (
             *_simple_controls(experiment, limited=bool(limited[grasp.critical_wrench])),
@@ -181,7 +181,7 @@ def _expected(wrenches: int, *, measure: bool, thorough: bool) -> int:
     return 2 * wrenches + FEW + (expected_simulations(wrenches) if measure else 0) + (SIMULATIONS if thorough else 0)
 
 
-def _simple_controls(experiment: Experiment, *, limited: bool) -> tuple[Control, Control]:
+def _simple_controls(experiment: Experiment, *, limited: bool) -> tuple[ControlExperiment, ControlExperiment]:
     """Less cap and no load: two more simulations of the same experiment."""
     protocol, grasp = experiment.protocol, experiment.grasp
     part, critical = 0.0 if squeezes(experiment) else LIGHT, grasp.wrenches[grasp.critical_wrench]

@@ -16,7 +16,7 @@ EDGE_WIDTH = 1.5
 """Of the object's edges [pixels]."""
 
 
-class Actor:
+class ShownTrial:
     """Made once for a subject; what changes is put in place."""
 
     def __init__(self, scene: viser.SceneApi, subject: Subject, name: str) -> None:

@@ -22,7 +22,7 @@ from sim.render.drawn_motion import DrawnPose
 from sim.render.load import Load, placed_load
 from sim.render.outline import visible_edges
 from sim.render.view import View, best_direction
-from sim.scene.units import Similarity
+from sim.scene.units import Units
 
 TIP_RADIUS = 0.012
 """Radius of a planned fingertip, which has none, relative to the object's size."""
@@ -37,9 +37,9 @@ class Subject:
     grasp: Grasp
 
     @property
-    def units(self) -> Similarity:
+    def units(self) -> Units:
         """From the body frame in SI to the units of the view."""
-        return Similarity(
+        return Units(
             reference_point=self.grasp.task.reference_point,
             length=1 / self.rigid_object.size,
             force=1 / self.grasp.rho,

@@ -14,7 +14,7 @@ from sim.view.controls import Controls
 from sim.view.layout import Layout, plan_layout, trial_layout
 from sim.view.playback import play_back
 from sim.view.screening import Screening
-from sim.view.shown_trial import Actor
+from sim.view.shown_trial import ShownTrial
 from sim.view.subject import Subject
 
 RATE = 25
@@ -45,7 +45,7 @@ class Viewer:
         _light(server.scene)
         self.controls = Controls(server.gui, [subject.name for subject in subjects])
         self.controls.ask(trial=trial)
-        self.actors: list[Actor] = []
+        self.trials: list[ShownTrial] = []
         self.screening: Screening | None = None
         self._entered: int | None = None
         self._tried: int | None = None
@@ -95,10 +95,10 @@ class Viewer:
     def _enter(self, grasp: int) -> None:
         """Look at another grasp."""
         self._try(None)
-        for actor in self.actors:
-            actor.remove()
+        for trial in self.trials:
+            trial.remove()
         self._entered = grasp
-        self.actors = [Actor(self.server.scene, self.subject, name) for name in SIMULATIONS]
+        self.trials = [ShownTrial(self.server.scene, self.subject, name) for name in SIMULATIONS]
         self.server.gui.set_panel_label(self.subject.name)
         self.controls.take_subject(self.subject, words.about(self.subject.grasp))
 
@@ -132,24 +132,24 @@ class Viewer:
 
     def _draw_plan(self, layout: Layout) -> None:
         subject, wrench = self.subject, self.controls.wrench
-        first, *others = self.actors
+        first, *others = self.trials
         first.show(subject.planned(wrench), subject.load(wrench))
         first.place(layout.places[0], ghost=False)
         first.say("", layout.caption)
-        for actor in others:
-            actor.root.visible = False
+        for trial in others:
+            trial.root.visible = False
         problem = f"\n\nthe trial cannot be shown: {words.plain(self._problem)}" if self._problem else ""
         self.controls.forces.content = words.planned_forces(subject, wrench) + problem
 
     def _draw_trial(self, screening: Screening, layout: Layout) -> None:
         playback, step = screening.playback, screening.player.step
         load = self.subject.load(playback.recording.wrench)
-        poses = [playback.pose(step, simulation, screening.factor) for simulation in range(len(self.actors))]
-        for simulation, (actor, pose) in enumerate(zip(self.actors, poses, strict=True)):
-            actor.root.visible = True
-            actor.show(pose, load, playback.share(step))
-            actor.place(layout.places[simulation], ghost=not playback.recording.measurement.held[simulation])
-            actor.say(words.caption(playback, step, simulation), layout.caption)
+        poses = [playback.pose(step, simulation, screening.factor) for simulation in range(len(self.trials))]
+        for simulation, (trial, pose) in enumerate(zip(self.trials, poses, strict=True)):
+            trial.root.visible = True
+            trial.show(pose, load, playback.share(step))
+            trial.place(layout.places[simulation], ghost=not playback.recording.measurement.held[simulation])
+            trial.say(words.caption(playback, step, simulation), layout.caption)
         if not screening.player.playing or time.perf_counter() - self._told > PATIENCE:
             screening.chart.show(step)
             self.controls.forces.content = words.measured_forces(playback, poses)

@@ -9,7 +9,7 @@ from planner.contacts import Contacts
 from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
 from sim.scene.scene import build_scene
-from sim.scene.units import similarity
+from sim.scene.units import units_of
 from sim.trial.experiment import floating_object
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ACTIVE, ValidationProtocol
@@ -24,7 +24,7 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: Validation
     """Two fingers press the sides of a box with PRESS and lift half of each weight, one simulation per weight."""
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)
-    units = similarity(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
+    units = units_of(contacts, np.zeros(3), rho=1.0, reach=ACTIVE.reach)
     tips = Fingertips(contacts=units.contacts(contacts), radius=RADIUS, mass=protocol.tip_mass)
     held = floating_object([box((0.05, 0.02, 0.03))], units, protocol, FreeJoint())
     scene = build_scene(held, tips, protocol)

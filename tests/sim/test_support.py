@@ -21,8 +21,8 @@ from planner.task import make_task
 from sim.commands.modes import MODES
 from sim.commands.validate import Options
 from sim.commands.validation_report import validation_lines, validation_summary
-from sim.scene.units import similarity
-from sim.trial.active import adaptive_trial
+from sim.scene.units import units_of
+from sim.trial.active import active_trial
 from sim.trial.prediction import on_friction_limit, predicted_caps
 from sim.trial.protocol import ACTIVE
 from sim.trial.schedule import fractions
@@ -146,8 +146,8 @@ def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(
 ) -> None:
     contacts, wrench, phi = drawn(seed)
     assume(np.isfinite(phi))
-    units = similarity(contacts, ORIGIN, float(phi), ACTIVE.reach)
-    trial = adaptive_trial(contacts, units, wrench[None], np.array([ACTIVE.hold_factor]), ACTIVE)
+    units = units_of(contacts, ORIGIN, float(phi), ACTIVE.reach)
+    trial = active_trial(contacts, units, wrench[None], np.array([ACTIVE.hold_factor]), ACTIVE)
     maps = grasp_maps(units.contacts(contacts).points, ORIGIN)
     for squeeze, load in fractions(ACTIVE)[::10]:
         loads, forces = trial.at(squeeze, load)

@@ -12,7 +12,7 @@ from planner.objects.rigid_object import RigidObject
 from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
 from sim.scene.scene import Scene, build_scene
-from sim.scene.units import Similarity, similarity
+from sim.scene.units import Units, units_of
 from sim.trial.experiment import floating_object
 from sim.trial.protocol import ACTIVE
 
@@ -81,11 +81,11 @@ def original_gap(rigid_object: RigidObject, center: np.ndarray, radius: float) -
     return min(mujoco.mj_geomDistance(model, data, probe, geom, 1.0, None) for geom in np.flatnonzero(collides))
 
 
-def scene_of(rigid_object: RigidObject) -> tuple[Scene, Similarity]:
+def scene_of(rigid_object: RigidObject) -> tuple[Scene, Units]:
     """A scene with two fingers somewhere far away."""
     points = rigid_object.center_of_mass + rigid_object.size * np.array([(-3.0, 0, 0), (3.0, 0, 0)])
     contacts = Contacts(points=points, normals=np.array([(1.0, 0, 0), (-1.0, 0, 0)]), friction=np.full(2, 0.5))
-    units = similarity(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
+    units = units_of(contacts, rigid_object.center_of_mass, rho=1.0, reach=ACTIVE.reach)
     tips = Fingertips(contacts=units.contacts(contacts), radius=0.04 * ACTIVE.reach, mass=ACTIVE.tip_mass)
     return build_scene(floating_object(rigid_object.parts, units, ACTIVE, FreeJoint()), tips, ACTIVE), units
 

@@ -9,7 +9,7 @@ import pytest
 from planner.forces.problem import ForceProblem
 from planner.objects.mjcf.reader import read_object
 from sim.studies.cost import measure_cost
-from sim.studies.fault_injection import SABOTAGES, PyramidForces, SquareForces, measure_sabotage
+from sim.studies.fault_injection import INJECTED_FAULTS, PyramidForces, SquareForces, measure_fault
 from sim.studies.rho_table import rho_rows
 from sim.studies.survey import random_grasps, tally
 from sim.trial.loaded_grasp import LoadedGrasp
@@ -60,8 +60,8 @@ EXPECTED = {
 
 @pytest.mark.parametrize("name", EXPECTED)
 def test_a_wrong_planner_is_noticed_as_far_off_as_it_is(name: str) -> None:
-    sabotage = next(each for each in SABOTAGES if each.name == name)
-    critical = measure_sabotage(grasp(), sabotage)
+    fault = next(each for each in INJECTED_FAULTS if each.name == name)
+    critical = measure_fault(grasp(), fault)
     assert critical is not None
     low, high = EXPECTED[name]
     assert low <= critical.ratio <= high

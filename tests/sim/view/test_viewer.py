@@ -44,13 +44,13 @@ def test_the_slider_shows_the_forces_of_the_grasp_file(server: "Server", prism_s
     for wrench in (grasp.critical_wrench, 0, 17, len(grasp.phi) - 1):
         ask(viewer.controls._wrench, wrench)
         viewer.refresh(0.04)
-        fingers = viewer.actors[0].fingers
+        fingers = viewer.trials[0].fingers
         assert [finger.label.text for finger in fingers] == ["1", "2", "3"]
         for finger, point, force in zip(fingers, grasp.contacts.points, grasp.forces[wrench], strict=True):
             foot, tip = arrow(finger.force.node)
             np.testing.assert_allclose(size * tip + origin, point, atol=1e-6)
             np.testing.assert_allclose(tip - foot, ARROW * force / grasp.rho, atol=1e-6)
-        foot, tip = arrow(viewer.actors[0].load.force.node)
+        foot, tip = arrow(viewer.trials[0].load.force.node)
         np.testing.assert_allclose(tip - foot, ARROW * grasp.task.wrenches[wrench, :3] / grasp.rho, atol=1e-6)
         assert f"{grasp.phi[wrench]:.4g} N" in viewer.controls.asked.content
     ask(viewer.controls._critical, True)
@@ -61,7 +61,7 @@ def test_the_slider_shows_the_forces_of_the_grasp_file(server: "Server", prism_s
 def test_cones_stand_on_the_contacts_open_as_wide_as_friction_allows(server: "Server", prism_subject: Subject) -> None:
     viewer, contacts = Viewer(server, [prism_subject]), prism_subject.contacts
     viewer.refresh(0.0)
-    for finger, point, normal in zip(viewer.actors[0].fingers, contacts.points, contacts.normals, strict=True):
+    for finger, point, normal in zip(viewer.trials[0].fingers, contacts.points, contacts.normals, strict=True):
         turned = Rotation.from_quat(finger.cone.wxyz, scalar_first=True).apply(finger.cone.vertices)
         outward, across = -turned @ normal, np.linalg.norm(np.cross(turned, normal), axis=1)
         np.testing.assert_allclose(finger.cone.position, point, atol=1e-9)
@@ -73,7 +73,7 @@ def test_cones_stand_on_the_contacts_open_as_wide_as_friction_allows(server: "Se
 def test_the_trial_plays_until_one_object_is_held_and_one_is_lost(server: "Server", prism_subject: Subject) -> None:
     viewer = Viewer(server, [prism_subject], trial=True)
     viewer.refresh(0.0)
-    first, second = viewer.actors
+    first, second = viewer.trials
     assert first.root.visible and second.root.visible and viewer.screening is not None
     assert viewer.controls.playback.visible
     assert not first.load.force.node.visible  # the load comes later
@@ -87,7 +87,7 @@ def test_the_trial_plays_until_one_object_is_held_and_one_is_lost(server: "Serve
     last = viewer.screening.playback.last
     assert viewer.controls.step == last
     assert first.caption.text.endswith("HELD") and second.caption.text.endswith("SLIPPED")
-    moved = [float(np.linalg.norm(actor.object.position)) for actor in viewer.actors]
+    moved = [float(np.linalg.norm(trial.object.position)) for trial in viewer.trials]
     assert moved[0] < 1e-3 < 5e-3 < moved[1]
     enlarged = np.array(second.object.position)
     ask(viewer.controls._enlarged, False)
@@ -109,12 +109,12 @@ def test_another_grasp_takes_the_place_of_the_first(server: "Server", prism_subj
     plate = subject("plate", *planned("convex", 2))
     viewer = Viewer(server, [prism_subject, plate], trial=True)
     viewer.refresh(0.0)
-    before = viewer.actors[0]
+    before = viewer.trials[0]
     ask(viewer.controls._grasp, viewer.controls._grasp.options[1])
     viewer.refresh(0.04)
     assert viewer.subject is plate and viewer.screening is not None
     assert viewer.screening.playback.subject is plate
-    assert [len(actor.fingers) for actor in viewer.actors] == [2, 2]
+    assert [len(trial.fingers) for trial in viewer.trials] == [2, 2]
     assert viewer.controls.wrench == plate.grasp.critical_wrench
     with pytest.raises(RuntimeError, match="removed"):
         before.object.position = np.ones(3)
@@ -144,7 +144,7 @@ def test_a_wrench_that_needs_no_force_has_a_plan_and_a_reason_for_no_trial(
     viewer.refresh(0.04)
     assert viewer.screening is None
     assert "wrench 64 needs no fingertip force" in viewer.controls.forces.content
-    assert not any(finger.force.node.visible for finger in viewer.actors[0].fingers)
+    assert not any(finger.force.node.visible for finger in viewer.trials[0].fingers)
     ask(viewer.controls._wrench, 49)
     viewer.refresh(0.04)
     assert viewer.screening is not None
