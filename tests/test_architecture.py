@@ -10,7 +10,7 @@ import pytest
 from tests.tools.commands import ROOT
 
 FLOORS = (
-    ("planner.errors", "planner.arrays", "planner.millimetres", "planner.progress"),
+    ("planner.errors", "planner.arrays", "planner.counted", "planner.millimetres", "planner.progress"),
     ("planner.files",),
     ("planner.contacts",),
     ("planner.contact_models",),

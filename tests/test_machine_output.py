@@ -43,6 +43,7 @@ def test_a_plan_in_json_is_what_the_file_says(tmp_path: Path, capsys: pytest.Cap
     for key in ("status", "rho", "lower_bound", "gap", "critical_wrench", "contacts"):
         assert printed[key] == written[key], key
     assert printed["seconds"] == written["search"]["seconds"]
+    assert 0 < printed["grip"] <= printed["rho"]
     assert Path(printed["file"]) == grasp
     assert "rho         0.669003 N" in captured.err
     assert captured.err.replace("\n", "").isprintable()
@@ -57,7 +58,8 @@ def test_what_does_not_exist_is_null_and_an_error_leaves_standard_output_empty(
     assert run("grasp-plan", PRISM, *CASE_3, "--fingers", 2, "--out", grasp, "--json", "-q") == 3
     captured = capsys.readouterr()
     printed = json.loads(captured.out)
-    assert (printed["status"], printed["rho"], printed["gap"], printed["contacts"]) == ("infeasible", None, None, [])
+    assert (printed["status"], printed["contacts"]) == ("infeasible", [])
+    assert [printed[key] for key in ("rho", "gap", "grip")] == [None, None, None]
     assert captured.err == ""
     assert run("grasp-plan", tmp_path / "nowhere.xml", "--json", "-q") == 1
     captured = capsys.readouterr()

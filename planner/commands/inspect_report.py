@@ -7,6 +7,7 @@ from scipy.spatial import cKDTree
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
+from planner.counted import counted
 from planner.millimetres import in_mm, point_in_mm
 from planner.objects.graspable import Graspable
 from planner.objects.mass_doubts import union_volume
@@ -46,10 +47,10 @@ def bodies(source: ObjectSource) -> Iterator[str]:
         indent = "  " * (depths[body] - 1)
         yield (
             f"body        {indent}{tree.names[body]}: {tree.masses[body]:.4g} kg, "
-            f"{_counted(tree.colliding_geoms[body], 'colliding geom')}, {_counted(len(tree.joints[body]), 'joint')}"
+            f"{counted(tree.colliding_geoms[body], 'colliding geom')}, {counted(len(tree.joints[body]), 'joint')}"
         )
     if tree.colliding_geoms[WORLD]:
-        yield f"body        world: {_counted(tree.colliding_geoms[WORLD], 'colliding geom')} that no body holds"
+        yield f"body        world: {counted(tree.colliding_geoms[WORLD], 'colliding geom')} that no body holds"
 
 
 def object_lines(rigid_object: RigidObject) -> Iterator[str]:
@@ -151,10 +152,6 @@ def _placed(pose: Pose) -> str:
     axis = ", ".join(f"{coordinate + 0.0:.4g}" for coordinate in pose.axis)
     turned = f"turned by {np.rad2deg(pose.angle):.4g}° about ({axis})" if pose.angle > SAME_AXES else "not turned"
     return f"the body frame lies at {point_in_mm(pose.position)} mm in the world of the file, {turned}"
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
 
 
 def _spacing(points: np.ndarray) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
+from planner.counted import counted
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
 from planner.limits.kinds import Kinds
@@ -124,9 +125,10 @@ class Report:
         strengths = grasp.contacts.strengths
         hard = "this hard" if (strengths == 1).all() else "its strength times this hard"
         self._say(f"rho         {grasp.rho:.6g} N: every finger must be able to push {hard} ({grasp.status})")
+        subsets = counted(grasp.search.subsets, "subset")
         self._say(
-            f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates "
-            f"({_subsets(grasp.search.subsets)}) need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
+            f"proof       no {grasp.search.fingers} of the {grasp.search.candidates} candidates ({subsets}) "
+            f"need less than {grasp.lower_bound:.6g} N (gap {grasp.gap:.3%})"
         )
         self._checked(grasp)
         grip = grasp.grip
@@ -170,10 +172,6 @@ class Report:
 def _percent(share: float) -> str:
     """A share below one, never rounded up to all of it."""
     return f"{min(100 * share, 99.9):.3g} %"
-
-
-def _subsets(number: int) -> str:
-    return f"{number:,} subset{'' if number == 1 else 's'}"
 
 
 def _proof_of_others(grasp: Grasp, apart: float) -> str:

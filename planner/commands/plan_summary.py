@@ -16,8 +16,9 @@ def plan_summary(grasps: Sequence[Grasp], files: Sequence[Path]) -> dict[str, An
         files: The grasp files they were written to.
 
     Returns:
-        Status, rho [N], lower bound [N], gap, how much of the proof was checked (share, seconds), contacts (body
-        frame, SI), the files, and how long the search took [s]; null for what does not exist.
+        Status, rho [N], lower bound [N], gap, grip [N] (largest normal force of a finger), how much of the proof was
+        checked (share, seconds), contacts (body frame, SI), the files, and how long the search took [s]; null for
+        what does not exist.
     """
     document, *others = (document_of(grasp, file) for grasp, file in zip(grasps, files, strict=True))
     return {
@@ -25,6 +26,7 @@ def plan_summary(grasps: Sequence[Grasp], files: Sequence[Path]) -> dict[str, An
         "rho": document.rho,
         "lower_bound": document.lower_bound,
         "gap": document.gap,
+        "grip": grasps[0].grip if grasps[0].found else None,
         "proof_check": document.proof_check,
         "critical_wrench": document.critical_wrench,
         "contacts": document.contacts,

@@ -11,6 +11,7 @@ from time import perf_counter
 
 import numpy as np
 
+from planner.counted import counted
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.grasps.grasp import Grasp
@@ -158,7 +159,8 @@ def _bound(grasp: Grasp, observe: Observe) -> Check:
     check = check_bound(
         certificate, Claim(search.fingers, task.reference_point, task.wrenches, grasp.lower_bound), settled
     )
-    detail = f"{len(certificate.cuts)} cuts, {subsets} subsets, by {check.method} in {perf_counter() - began:.2g} s"
+    covered = f"{counted(len(certificate.cuts), 'cut')}, {counted(subsets, 'subset')}"
+    detail = f"{covered}, by {check.method} in {perf_counter() - began:.2g} s"
     if check.counterexample:
         detail += f"; no cut covers subset {check.counterexample}"
     return checked(claim=claim, holds=check.proven, detail=detail)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from planner.contact_models.models import free_to_turn
+from planner.counted import counted
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.plausibility import CANDIDATES_PER_FINGER
@@ -42,7 +43,7 @@ def reasons(grasp: Grasp) -> list[str]:
         return [f"{moment}, and this task has one about every line there is: two never hold it, wherever they are"]
     number = f"every pair of these {grasp.search.candidates} candidates" if grasp.search.candidates > 2 else "this pair"
     cuts = len(grasp.certificate.cuts)
-    others = f", but for those that {cuts} cut{'' if cuts == 1 else 's'} of the certificate settle" if cuts else ""
+    others = f", but for those that {counted(cuts, 'cut')} of the certificate settle" if cuts else ""
     miss = _least_miss(grasp)
     nearest = "" if miss is None else f"; the nearest line misses the load by {in_mm(miss, 2)} mm"
     return [f"{moment}, and the task has one for {number}{others}{nearest}"]

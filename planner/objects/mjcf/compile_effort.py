@@ -32,11 +32,21 @@ def require_moderate(path: Path) -> None:
     Raises:
         ObjectError: If it cannot be read, asks for too many elements, or names a file that is no regular one.
     """
+    _require_utf8(path)
     _Count(main=path).add(path)
     for file in named_files(path):
         if not file.is_file():
             kind = kind_of(file.stat().st_mode)
             raise ObjectError(f"'{path}' names the file '{file}', which is {kind}; a regular file is needed")
+
+
+def _require_utf8(path: Path) -> None:
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        raise ObjectError(
+            f"the path {os.fsencode(path)!r} is not UTF-8, and MuJoCo opens no other; rename the file"
+        ) from None
 
 
 def named_files(path: Path) -> list[Path]:

@@ -1,5 +1,6 @@
 """Files that MuJoCo compiles in its own way, or not at all, are read as their objects, or refused in one clear line."""
 
+import os
 import zipfile
 from pathlib import Path
 
@@ -88,6 +89,13 @@ def test_names_that_are_not_utf8_are_read_as_latin1(tmp_path: Path) -> None:
     assert [part.geom for part in thing.parts] == ["Griff-größe", "geom1"]
     path.write_bytes(world(body.format("")).encode("latin-1"))
     assert usable(read_object(path))
+
+
+def test_a_path_that_is_not_utf8_is_refused_with_the_way_out(tmp_path: Path) -> None:
+    path = Path(os.fsdecode(os.fsencode(tmp_path) + b"/b\xffx.xml"))
+    path.write_text(world('<body name="part"><freejoint/><geom size=".1"/></body>'))
+    with pytest.raises(ObjectError, match=r"is not UTF-8.*rename the file"):
+        read_object(path)
 
 
 def test_an_archive_is_an_object_whose_digest_is_that_of_the_archive(tmp_path: Path) -> None:
