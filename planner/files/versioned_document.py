@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from planner.errors import GraspFileError
 from planner.files.atomic_write import write_atomically
@@ -49,8 +50,14 @@ class DocumentFormat:
 
 
 def document_text(document: msgspec.Struct, indent: int = 1) -> bytes:
-    """A document as indented JSON."""
-    return msgspec.json.format(msgspec.json.encode(document), indent=indent) + b"\n"
+    """A document as indented JSON; numbers of NumPy are numbers."""
+    return msgspec.json.format(msgspec.json.encode(document, enc_hook=_plain), indent=indent) + b"\n"
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, np.generic):
+        return value.item()
+    raise NotImplementedError(f"a document holds no {type(value).__name__}")
 
 
 def write_document(path: Path, document: msgspec.Struct) -> None:
