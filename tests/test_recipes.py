@@ -170,7 +170,6 @@ def test_add_contact_model(problem: GraspProblem, monkeypatch: pytest.MonkeyPatc
     strong = exhaustive_search(few)
     assert strong is not None
     weak = Weak()
-    monkeypatch.setitem(models.MODELS, "weak", weak)
     monkeypatch.setattr(models, "HARD_FINGER", weak)  # as `model_of` answers once it is told which contacts are weak
     again = problem.search_problem.among(np.arange(12))
     found = CertifiedSearch().run(again)

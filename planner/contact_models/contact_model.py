@@ -19,9 +19,6 @@ from planner.contacts import Contacts
 class ContactModel(ABC):
     """One way to touch."""
 
-    name: ClassVar[str]
-    """As users write it."""
-
     condim: ClassVar[int]
     """MuJoCo's name for it: dimensions of the contact space."""
 

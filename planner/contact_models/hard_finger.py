@@ -18,7 +18,6 @@ from planner.contacts import Contacts, contact_frames, grasp_maps
 class HardFinger(ContactModel):
     """Coulomb friction at a point; see `ContactModel`."""
 
-    name = "hard"
     condim = 3
 
     def components(self, dimension: int) -> int:

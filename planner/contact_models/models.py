@@ -1,11 +1,8 @@
-"""The contact models by name, which one a set of contacts is of, and what follows from that."""
+"""Which contact model a set of contacts is of, and what follows from that."""
 
 from planner.contact_models.contact_model import ContactModel
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contacts import Contacts
-
-MODELS: dict[str, ContactModel] = {model.name: model for model in (HARD_FINGER,)}
-"""To add one: write its file and name it here."""
 
 
 def model_of(contacts: Contacts) -> ContactModel:

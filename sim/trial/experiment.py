@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.contact_models.models import model_of
 from planner.objects.rigid_object import ConvexPart
 from planner.progress import Done
 from sim.scene.fingertips import Fingertips
@@ -116,7 +117,7 @@ def set_up(
     units = units_of(contacts, grasp.reference_point, force, protocol.reach)
     held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
     touching = units.contacts(contacts if friction is None else replace(contacts, friction=np.asarray(friction, float)))
-    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
+    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass, condim=model_of(touching).condim)
     radii = [radius * protocol.reach for radius in protocol.tip_radii]
     scene, static = placed_scene(held, tips, protocol, radii, rigid_object.size)
     return Experiment(grasp=grasp, units=units, scene=scene, protocol=protocol, static=static)
