@@ -44,7 +44,7 @@ def rigid_object(*parts: ConvexPart) -> RigidObject:
     corners = np.concatenate([part.bounds() for part in parts])
     return RigidObject(
         source=ObjectSource(file=Path("made.xml")),
-        sha256="",
+        sha256="0" * 64,
         body="made",
         parts=parts,
         mass=1.0,

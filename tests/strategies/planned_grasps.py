@@ -2,21 +2,20 @@
 
 from dataclasses import dataclass, replace
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.objects.object_source import ObjectSource
 from planner.objects.parts.box import Box
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.pose import Pose
-from planner.objects.rigid_object import ConvexPart, RigidObject
+from planner.objects.rigid_object import ConvexPart
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.validation import Validation, validate_contacts
+from tests.strategies.parts import rigid_object
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -58,21 +57,6 @@ class Planned:
             wrenches=self.wrenches,
             phi=self.phi,
         )
-
-
-def rigid_object(*parts: ConvexPart) -> RigidObject:
-    """An object of these parts; its mass plays no role in a validation."""
-    corners = np.concatenate([part.triangles()[0].reshape(-1, 3) for part in parts])
-    return RigidObject(
-        source=ObjectSource(file=Path("object.xml")),
-        sha256="0" * 64,
-        body="object",
-        parts=parts,
-        mass=1.0,
-        center_of_mass=np.zeros(3),
-        inertia=np.eye(3),
-        extent=np.ptp(corners, axis=0),
-    )
 
 
 def prism(scale: float = 1.0, rotation: np.ndarray | None = None, offset: np.ndarray | None = None) -> Planned:

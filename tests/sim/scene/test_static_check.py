@@ -10,7 +10,8 @@ from planner.objects.rigid_object import ConvexPart
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE
 from sim.validation.validation import Validation, validate_contacts
-from tests.strategies.planned_grasps import box, prism, rigid_object
+from tests.strategies.parts import rigid_object
+from tests.strategies.planned_grasps import box, prism
 
 BASE = box((0.04, 0.02, 0.004))
 UPRIGHT = box((0.004, 0.02, 0.03), position=(-0.036, 0, 0.034))
