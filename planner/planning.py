@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from math import isfinite
 from time import perf_counter
 
 import numpy as np
 
+from planner.files.json_document import finite_or_none
 from planner.files.package_versions import package_versions
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp, ProofCheck, SearchRecord, TraceLine
@@ -123,7 +123,7 @@ def recorded(trace: Sequence[Progress]) -> tuple[TraceLine, ...]:
             nodes=line.nodes,
             open=line.open,
             lower_bound=line.lower_bound,
-            incumbent=line.incumbent if isfinite(line.incumbent) else None,
+            incumbent=finite_or_none(line.incumbent),
             socp_solves=line.socp_solves,
             cuts=line.cuts,
         )

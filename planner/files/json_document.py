@@ -1,9 +1,14 @@
-"""Decoding a JSON document that somebody else may have written, with one clear error for all that can be wrong."""
+"""JSON: written in one way, and read as what somebody else may have written, with one clear error for all faults.
 
+JSON has no number that is not finite; null stands for it.
+"""
+
+from math import isfinite
 from pathlib import Path
 from typing import TypeVar
 
 import msgspec
+import numpy as np
 
 from planner.errors import GraspFileError
 
@@ -36,3 +41,19 @@ def decode_json(content: bytes, kind: type[T], path: Path, name: str) -> T:
         return msgspec.json.decode(content, type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise GraspFileError(f"{path} is not a {name}, or is truncated: {error}") from error
+
+
+def encode_json(value: object) -> bytes:
+    """A value on one line; NumPy's numbers are numbers."""
+    return msgspec.json.encode(value, enc_hook=_plain)
+
+
+def finite_or_none(value: float) -> float | None:
+    """The number, or None where JSON has none for it."""
+    return value if isfinite(value) else None
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, np.generic):
+        return value.item()
+    raise NotImplementedError(f"a document holds no {type(value).__name__}")

@@ -4,12 +4,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
-import numpy as np
 
 from planner.errors import GraspFileError
 from planner.files.atomic_write import write_atomically
 from planner.files.bounded_read import read_bounded
-from planner.files.json_document import MOST_BYTES, Header, decode_json
+from planner.files.json_document import MOST_BYTES, Header, decode_json, encode_json
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,14 +49,8 @@ class DocumentFormat:
 
 
 def document_text(document: msgspec.Struct, indent: int = 1) -> bytes:
-    """A document as indented JSON; numbers of NumPy are numbers."""
-    return msgspec.json.format(msgspec.json.encode(document, enc_hook=_plain), indent=indent) + b"\n"
-
-
-def _plain(value: object) -> object:
-    if isinstance(value, np.generic):
-        return value.item()
-    raise NotImplementedError(f"a document holds no {type(value).__name__}")
+    """A document as indented JSON."""
+    return msgspec.json.format(encode_json(document), indent=indent) + b"\n"
 
 
 def write_document(path: Path, document: msgspec.Struct) -> None:

@@ -17,7 +17,7 @@ from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, OutputError, RhograspError
 from planner.files.atomic_write import write_atomically
-from planner.files.json_document import MOST_BYTES, decode_json
+from planner.files.json_document import MOST_BYTES, decode_json, finite_or_none
 from planner.files.source_file import SourceFile
 from planner.files.versioned_document import DocumentFormat, document_text
 from planner.grasps.consistency import check_agreement
@@ -125,9 +125,9 @@ def document_of(grasp: Grasp, path: Path) -> GraspDocument:
             )
             for i in range(len(contacts))
         ],
-        rho=_finite(grasp.rho),
+        rho=finite_or_none(grasp.rho),
         lower_bound=grasp.lower_bound,
-        gap=_finite(grasp.gap),
+        gap=finite_or_none(grasp.gap),
         status=grasp.status,
         critical_wrench=grasp.critical_wrench if grasp.found else None,
         phi=grasp.phi.tolist(),
@@ -166,7 +166,7 @@ def _certificate_record(certificate: Certificate) -> CertificateRecord:
         cuts=certificate.cuts.tolist(),
         kinds=[KindRecord(**asdict(kind)) for kind in certificate.kinds],
         spacing=certificate.spacing or None,
-        span=_finite(certificate.span),
+        span=finite_or_none(certificate.span),
     )
 
 
@@ -193,10 +193,6 @@ def _placed_choice(
 ) -> CandidateChoice | None:
     """A choice with its files as seen from elsewhere."""
     return None if choice is None else replace(choice, file=place(choice.file), limits=place(choice.limits))
-
-
-def _finite(value: float) -> float | None:
-    return value if np.isfinite(value) else None
 
 
 def _decode(path: Path) -> GraspDocument:

@@ -259,7 +259,7 @@ class BranchAndBound:
         if self.incumbents.best is not None:
             weakest = max(weakest, self.cuts.bound(self.incumbents.best.subset)[0])
         most = min(self.problem.force_ceiling, self.incumbents.rho)
-        return float(min(1 / weakest, most) if weakest > 0 else most)
+        return min(1 / weakest, most) if weakest > 0 else most
 
     def log_if_due(self) -> None:
         """Add a line to the log when there is a better grasp, and otherwise ever more rarely."""

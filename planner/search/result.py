@@ -99,7 +99,7 @@ class SearchResult:
     def with_grasps(self, grasps: tuple[Evaluation, ...]) -> "SearchResult":
         """The same proof beside other grasps; where the solver finds one of them to need less, so does the bound."""
         least = min((grasp.rho for grasp in grasps), default=np.inf)
-        return replace(self, grasps=grasps, lower_bound=float(min(self.lower_bound, least)))
+        return replace(self, grasps=grasps, lower_bound=min(self.lower_bound, least))
 
 
 def relative_gap(rho: float, lower_bound: float) -> float:

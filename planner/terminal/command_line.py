@@ -57,9 +57,9 @@ def parse(options: type[Options], program: str) -> Options:
 
 def write_json(console: Console, document: object) -> None:
     """The one document of `--json`, a line on standard output; null for numbers that are not finite."""
-    import msgspec
+    from planner.files.json_document import encode_json  # here: the help must not wait for NumPy
 
-    console.write(msgspec.json.encode(document).decode())
+    console.write(encode_json(document).decode())
 
 
 def as_typed(program: str) -> str:

@@ -8,9 +8,8 @@ from time import perf_counter
 from types import TracebackType
 from typing import BinaryIO
 
-import msgspec
-
 from planner.errors import OutputError
+from planner.files.json_document import encode_json
 from planner.search.result import Progress, Status
 from planner.terminal.console import Console
 from planner.terminal.interruption import Interruption
@@ -125,7 +124,7 @@ class SearchLog:
         if self._file is not None:
             record = {**asdict(line), "gap": line.gap, "status": status}
             try:
-                self._file.write(msgspec.json.encode(record) + b"\n")
+                self._file.write(encode_json(record) + b"\n")
             except OSError as error:
                 raise OutputError(f"cannot write {self._path}: {error.strerror}") from error
 

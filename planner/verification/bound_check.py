@@ -197,7 +197,7 @@ class _Check:
                 return self.stopped("groups", settled)
             rows, children = rows[:-BATCH], self.groups.split(rows[-BATCH:])
             open_ = self.open(children)
-            settled += self.groups.subsets(children).sum() - self.groups.subsets(open_).sum()
+            settled += float(self.groups.subsets(children).sum() - self.groups.subsets(open_).sum())
             self.observe(round(settled))
             single = open_[(self.groups.size[open_] == 1).all(axis=1)]
             if len(single):

@@ -3,12 +3,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from planner.files.json_document import finite_or_none
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm
 from planner.objects.rigid_object import RigidObject
@@ -80,7 +80,7 @@ def squeeze(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe
             "holdable": need.predicted.feasible,
             "squeeze_force": need.predicted.squeeze_force if need.predicted.feasible else None,
             "measured_lower": need.lower if need.predicted.feasible else None,
-            "measured_upper": need.upper if isfinite(need.upper) else None,
+            "measured_upper": finite_or_none(need.upper),
             "rho": grasp.rho,
         },
     )

@@ -4,11 +4,11 @@ import base64
 import shlex
 from collections.abc import Mapping
 from dataclasses import asdict
-from math import isfinite
 from typing import Any
 
 import numpy as np
 
+from planner.files.json_document import finite_or_none
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import ConvexPart, RigidObject
 from planner.pictures.shaded_surface import shaded_surface
@@ -54,10 +54,10 @@ def report_data(
         "wrenches": task.wrenches.tolist(),
         "phi": grasp.phi.tolist(),
         "forces": grasp.forces.tolist(),
-        "rho": _finite(grasp.rho),
-        "grip": _finite(grasp.grip),
+        "rho": finite_or_none(grasp.rho),
+        "grip": finite_or_none(grasp.grip),
         "lower_bound": grasp.lower_bound,
-        "gap": _finite(grasp.gap),
+        "gap": finite_or_none(grasp.gap),
         "status": plain_status(grasp),
         "proof": {
             "cuts": len(grasp.certificate.cuts),
@@ -83,10 +83,6 @@ def hopeless_wrench(grasp: Grasp) -> int | None:
     """The wrench that no candidates can balance, where a single cut proves that: the one that asks most along it."""
     cut = hopeless_cut(grasp)
     return None if cut is None else int((-grasp.task.wrenches @ cut).argmax())
-
-
-def _finite(value: float) -> float | None:
-    return value if isfinite(value) else None
 
 
 def _contacts(grasp: Grasp) -> list[dict[str, Any]]:

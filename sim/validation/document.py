@@ -1,11 +1,11 @@
 """The validation file: the verdict with its evidence and every setting, as one versioned JSON document."""
 
-from math import isfinite
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
+from planner.files.json_document import finite_or_none
 from planner.files.versioned_document import write_document
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
@@ -254,7 +254,7 @@ def _control(control: ControlExperiment) -> ControlRecord:
         outcomes=tuple(
             OutcomeRecord(
                 wrench=wrench if wrench >= 0 else None,
-                phi=_finite(phi),
+                phi=finite_or_none(phi),
                 cap=cap,
                 slip=slip,
                 held=held,
@@ -272,11 +272,11 @@ def _critical_force(critical: CriticalForce) -> CriticalForceRecord:
     lower, upper = critical.rho
     return CriticalForceRecord(
         lower=lower,
-        upper=_finite(upper),
-        ratio=_finite(critical.ratio),
+        upper=finite_or_none(upper),
+        ratio=finite_or_none(critical.ratio),
         critical_wrench=critical.critical_wrench,
         wrenches=tuple(
-            CapRecord(wrench=wrench, phi=phi, lower=low, upper=_finite(high), ratio=_finite(ratio))
+            CapRecord(wrench=wrench, phi=phi, lower=low, upper=finite_or_none(high), ratio=finite_or_none(ratio))
             for wrench, (phi, low, high, ratio) in enumerate(rows)
         ),
     )
@@ -293,11 +293,6 @@ def _loads(beyond: Beyond) -> tuple[LoadsRecord, ...]:
         )
         for kind, outcome, must_hold in beyond.kinds()
     )
-
-
-def _finite(value: float) -> float | None:
-    """The value, or null where JSON has no number for it."""
-    return value if isfinite(value) else None
 
 
 def _records(measurement: Measurement, validation: Validation) -> tuple[SimulationRecord, ...]:

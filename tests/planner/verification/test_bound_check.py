@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
@@ -76,6 +77,22 @@ def test_a_counterexample_is_a_subset_better_than_the_claim() -> None:
     check = check_bound(certificate, Claim(problem.fingers, problem.reference_point, problem.wrenches, 2 * bound))
     assert not check.proven
     assert len(set(check.counterexample)) == problem.fingers
+
+
+@pytest.mark.parametrize("most_enumerated", [module.MOST_ENUMERATED, 0])
+def test_a_check_that_is_stopped_says_the_share_it_reached_as_a_number_of_python(
+    most_enumerated: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "MOST_ENUMERATED", most_enumerated)
+    monkeypatch.setattr(module, "BATCH", 4)
+    shares = []
+    for seed in SEEDS:
+        problem, certificate, bound = certified(seed)
+        claim = Claim(problem.fingers, problem.reference_point, problem.wrenches, bound)
+        stops = chain(repeat(False, 4), repeat(True))
+        shares.append(check_bound(certificate, claim, stop=stops.__next__).share)
+    assert all(type(share) is float for share in shares)
+    assert any(0 < share < 1 for share in shares)
 
 
 def test_no_cuts_prove_nothing() -> None:
