@@ -1,4 +1,4 @@
-"""Hard-finger contacts and their grasp maps.
+"""Contacts with friction and their grasp maps.
 
 Frame: the object's body frame B, SI. A wrench is (force, moment), the moment taken about the reference
 point p_o, in the axes of B. The plane is the case d = 2, D = 3 of the same formulas (space: d = 3, D = 6).
@@ -22,6 +22,9 @@ not at all at 1e9."""
 
 ALLOWED_FRICTION = f"positive and at most {MOST_FRICTION:g}"
 
+MOST_TORSION = 1e4
+"""Largest torsional friction [m]: far beyond any object."""
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Contacts:
@@ -29,7 +32,7 @@ class Contacts:
 
     Raises:
         ContactError: On shapes that do not match, values that are not finite, normals that are not unit
-            vectors, friction out of range, or strength that is not positive.
+            vectors, friction or torsional friction out of range, or strength that is not positive.
     """
 
     points: Floats
@@ -43,6 +46,9 @@ class Contacts:
 
     strength: Floats | None = None
     """See `strengths`; None where all fingers are of strength 1, shape (contacts,)."""
+
+    torsion: Floats | None = None
+    """See `torsions`; None where no finger resists turning, shape (contacts,)."""
 
     def __post_init__(self) -> None:
         if self.points.ndim != 2 or self.points.shape[1] not in (2, 3):
@@ -64,6 +70,19 @@ class Contacts:
         if not (np.isfinite(self.strengths) & (self.strengths > 0)).all():
             raise ContactError(f"a finger's strength must be positive and finite, got {self.strengths.min()}")
 
+        self._check_torsion()
+
+    def _check_torsion(self) -> None:
+        if self.torsions.shape != self.friction.shape:
+            raise ContactError(f"torsional friction {self.torsions.shape} does not match points {self.points.shape}")
+        wrong = self.torsions[~((self.torsions >= 0) & (self.torsions <= MOST_TORSION))]  # NaN is wrong too
+        if len(wrong):
+            raise ContactError(
+                f"a torsional friction is {wrong[0]:g} m; it is a length, 0 or more and at most {MOST_TORSION:g} m"
+            )
+        if self.dimension == 2 and self.torsions.any():
+            raise ContactError("torsional friction resists turning about the normal, which is for objects in space")
+
     def __len__(self) -> int:
         return len(self.points)
 
@@ -77,6 +96,14 @@ class Contacts:
         """s_i: at the force level phi, the finger at contact i pushes with |f_i| <= s_i phi; shape (contacts,)."""
         return np.ones(len(self)) if self.strength is None else self.strength
 
+    @property
+    def torsions(self) -> Floats:
+        """gamma_i: pushing with f_n and not rubbing, finger i holds torques up to gamma_i f_n about its normal.
+
+        Shape (contacts,) [m]; 0 for a hard finger. See `planner.contact_models.soft_finger`.
+        """
+        return np.zeros(len(self)) if self.torsion is None else self.torsion
+
     def subset(self, indices: Indices) -> "Contacts":
         """The contacts at `indices`, shape (m,), in that order."""
         return Contacts(
@@ -84,6 +111,7 @@ class Contacts:
             normals=self.normals[indices],
             friction=self.friction[indices],
             strength=None if self.strength is None else self.strength[indices],
+            torsion=None if self.torsion is None else self.torsion[indices],
         )
 
 

@@ -87,6 +87,7 @@ def _grasp(
         status=_status(result, search.gap, found),
         phi=found.phi if found else np.empty(0),
         forces=found.forces[:, order] if found else np.empty((0, 0, contacts.dimension)),
+        torques=found.torques[:, order] if found else np.empty((0, 0)),
         search=SearchRecord(
             method=result.method,
             fingers=problem.fingers,

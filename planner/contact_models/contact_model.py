@@ -35,6 +35,10 @@ class ContactModel(ABC):
         """Forces in the body frame, shape (..., m, d) [N], of components over strengths, shape (..., m, k) [N]."""
 
     @abstractmethod
+    def torques(self, contacts: Contacts, components: Floats) -> Floats:
+        """Torques about the inward normals, shape (..., m) [N m], of components as in `forces`."""
+
+    @abstractmethod
     def support(self, velocities: Floats, friction: Floats) -> Floats:
         """h(v) = max { v.x : x in K, |(x_1, ..., x_d)| <= 1 }, shape (...).
 
@@ -56,14 +60,15 @@ class ContactModel(ABC):
         """
 
     @abstractmethod
-    def excess(self, forces: Floats, contacts: Contacts) -> Floats:
-        """How far each force lies outside its friction cone, negative inside, shape (..., m) [N].
+    def excess(self, forces: Floats, torques: Floats, contacts: Contacts) -> Floats:
+        """How far each force and torque lie outside their friction cone, negative inside, shape (..., m) [N].
 
         Args:
             forces: In the body frame, shape (..., m, d) [N].
+            torques: About the inward normals, shape (..., m) [N m].
             contacts: Where they act.
         """
 
     @abstractmethod
-    def pair_friction(self, friction: float) -> tuple[float, float, float, float, float]:
-        """The friction of MuJoCo's contact pair: sliding twice, torsion, rolling twice."""
+    def pair_friction(self, friction: float, torsion: float) -> tuple[float, float, float, float, float]:
+        """The friction of MuJoCo's contact pair: sliding twice, torsion [m], rolling twice."""

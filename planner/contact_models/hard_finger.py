@@ -34,6 +34,10 @@ class HardFinger(ContactModel):
         frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
         return np.einsum("ide,...ie->...id", frames, components)
 
+    def torques(self, contacts: Contacts, components: Floats) -> Floats:
+        """None, shape (..., m)."""
+        return np.zeros(components.shape[:-1])
+
     def support(self, velocities: Floats, friction: Floats) -> Floats:
         """|Proj_K(v)|, shape (...)."""
         return friction_cone.support(velocities, np.eye(velocities.shape[-1])[0], friction)
@@ -58,12 +62,12 @@ class HardFinger(ContactModel):
             else:
                 values[i] = max(0.0, (along + friction[i] * across) / sqrt(1 + friction[i] * friction[i]))
 
-    def excess(self, forces: Floats, contacts: Contacts) -> Floats:
-        """max(|f_t| - mu f_n, -f_n), shape (..., m) [N]."""
+    def excess(self, forces: Floats, torques: Floats, contacts: Contacts) -> Floats:
+        """max(|f_t| - mu f_n, -f_n), shape (..., m) [N]; there are no torques."""
         along, across = friction_cone.components(forces, contacts.normals)
         return np.maximum(across - contacts.friction * along, -along)
 
-    def pair_friction(self, friction: float) -> tuple[float, float, float, float, float]:
+    def pair_friction(self, friction: float, torsion: float) -> tuple[float, float, float, float, float]:
         """Sliding alone."""
         return friction, friction, 0.0, 0.0, 0.0
 

@@ -1,9 +1,10 @@
 """Subproblem 2 in CVXPY, whatever its inequalities are written as: slow, and independent of the fast solver.
 
-    min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= s_i phi
+    min phi   s.t.   sum_i G_i f_i + (0, tau_i n_i) = -w,   (f_i, tau_i) in K_i,   |f_i| <= s_i phi
 
-Everything is in the body frame. Moments are divided by the problem's length and the wrench by its size, so that the
-solver's tolerances are relative. Source: Watanabe and Yoshikawa, eq. (2), (3), (7).
+tau_i is zero where finger i has no torsional friction gamma_i; else it is written tau'_i gamma_i / mu_i, and its cone
+|(T_i f_i, tau'_i)| <= mu_i n_i . f_i. Everything is in the body frame. Moments are divided by the problem's length and
+the wrench by its size, so that the solver's tolerances are relative. Source: Watanabe and Yoshikawa, eq. (2), (3), (7).
 """
 
 import warnings
@@ -21,11 +22,12 @@ from planner.forces.problem import ForceProblem, ForceSolution
 class CvxpyForces(ABC):
     """Solver of Subproblem 2 for a fixed number of fingers, compiled once by CVXPY (a DPP problem)."""
 
-    def __init__(self, fingers: int, dimension: int) -> None:
+    def __init__(self, fingers: int, dimension: int, twisting: bool = False) -> None:
         """
         Args:
             fingers: Number of contacts m.
             dimension: d, 2 or 3.
+            twisting: Whether some finger has torsional friction.
         """
         import cvxpy as cp  # here: it costs a second that only references and tests need to pay
 
@@ -37,15 +39,21 @@ class CvxpyForces(ABC):
         self._strengths = [cp.Parameter(nonneg=True) for _ in range(fingers)]
         self._wrench = cp.Parameter(rows)
         self._forces = [cp.Variable(dimension) for _ in range(fingers)]
+        self._axes = [cp.Parameter((rows, 1)) for _ in range(fingers)] if twisting else []  # (0, n) gamma / mu
+        self._turns = [cp.Variable(1) for _ in self._axes]  # tau'
         phi = cp.Variable()
         total = sum(grasp_map @ force for grasp_map, force in zip(self._maps, self._forces, strict=True))
+        total += sum(axis @ turn for axis, turn in zip(self._axes, self._turns, strict=True))
+        rubbing = [tangents @ force for tangents, force in zip(self._tangents, self._forces, strict=True)]
+        if twisting:
+            rubbing = [cp.hstack(parts) for parts in zip(rubbing, self._turns, strict=True)]
         self._balance = total == -self._wrench
         inequalities = [
             inequality
-            for force, slope, tangents, strength in zip(
-                self._forces, self._slopes, self._tangents, self._strengths, strict=True
+            for force, slope, tangential, strength in zip(
+                self._forces, self._slopes, rubbing, self._strengths, strict=True
             )
-            for inequality in self.inequalities(strength * phi, force, slope @ force, tangents @ force)
+            for inequality in self.inequalities(strength * phi, force, slope @ force, tangential)
         ]
         self._problem: Any = cp.Problem(cp.Minimize(phi), [self._balance, *inequalities])
         self._solver_error: type[Exception] = cp.SolverError
@@ -62,14 +70,14 @@ class CvxpyForces(ABC):
             cap: s_i phi.
             force: f_i in the body frame, shape (d,).
             limit: mu_i n_i . f_i.
-            tangential: T_i f_i, shape (k,).
+            tangential: T_i f_i, then tau'_i where fingers can twist; a vector.
         """
 
     def solve(self, problem: ForceProblem) -> ForceSolution:
         """Solve one problem.
 
         Args:
-            problem: With this solver's number of contacts and dimension.
+            problem: With this solver's number of contacts and dimension; without torsional friction unless it twists.
 
         Raises:
             SolverError: When CVXPY returns neither an optimum nor a proof that there is none.
@@ -85,14 +93,19 @@ class CvxpyForces(ABC):
             self._tangents[finger].value = self.tangent_map(normal)
             self._slopes[finger].value = contacts.friction[finger] * normal
             self._strengths[finger].value = contacts.strengths[finger]
+        levers = contacts.torsions / contacts.friction
+        for axis, normal, lever in zip(self._axes, contacts.normals, levers, strict=False):
+            axis.value = np.append(np.zeros(3), scale[3:] * lever * normal)[:, None]
         feasible = self._optimise()
-        forces = np.full(contacts.points.shape, np.nan)
+        forces, torques = np.full(contacts.points.shape, np.nan), np.full(len(contacts), np.nan)
         if feasible:
             forces = unit * np.array([force.value for force in self._forces])
+            torques = unit * levers * np.array([turn.value[0] for turn in self._turns] or 0.0)
         return ForceSolution(
             problem=problem,
             feasible=feasible,
             forces=forces,
+            torques=torques,
             phi=float((np.linalg.norm(forces, axis=1) / contacts.strengths).max()) if feasible else np.inf,
             direction=-scale * np.asarray(self._balance.dual_value, dtype=float),
         )

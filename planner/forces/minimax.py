@@ -64,6 +64,7 @@ class MinimaxForces:
             problem=problem,
             feasible=bool(np.isfinite(phi)),
             forces=self.model.forces(contacts, components),
+            torques=self.model.torques(contacts, components),
             phi=phi,
             direction=direction,
         )

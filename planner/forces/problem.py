@@ -2,7 +2,8 @@
 
     phi(w) = min phi   s.t.   sum_i G_i f_i = -w,   f_i in K_i,   |f_i| <= s_i phi          (Subproblem 2)
 
-s_i is the strength of finger i, usually 1: then phi is the least largest fingertip force. The dual is the maximum of
+s_i is the strength of finger i, usually 1: then phi is the least largest fingertip force. Where fingers can twist, f_i
+holds a torque about the normal beside the force, see `planner.contact_models`. The dual is the maximum of
 -lambda . w over the directions lambda with sum_i s_i h_i(lambda) <= 1, where h_i(lambda) is the support function of
 G_i (K_i ∩ B). So every direction lambda proves
 
@@ -52,6 +53,9 @@ class ForceSolution:
     forces: Floats
     """Contact forces in the body frame, shape (contacts, d) [N]; NaN where infeasible."""
 
+    torques: Floats
+    """Contact torques about the inward normals, shape (contacts,) [N m]; NaN where infeasible."""
+
     phi: float
     """The force level max_i |f_i| / s_i [N]; infinite where infeasible."""
 
@@ -64,12 +68,14 @@ class ForceSolution:
         scale = wrench_scale(problem.contacts.dimension, problem.length)
         maps = grasp_maps(problem.contacts.points, problem.reference_point)
         residual = np.einsum("iDd,id->D", maps, self.forces) + problem.wrench
+        if problem.contacts.dimension == 3:
+            residual[3:] += self.torques @ problem.contacts.normals
         return float(np.linalg.norm(scale * residual) / (np.linalg.norm(scale * problem.wrench) or 1.0))
 
     def cone_residual(self) -> float:
         """Largest violation of a friction cone, relative to phi."""
         contacts = self.problem.contacts
-        return float(model_of(contacts).excess(self.forces, contacts).max(initial=0) / (self.phi or 1.0))
+        return float(model_of(contacts).excess(self.forces, self.torques, contacts).max(initial=0) / (self.phi or 1.0))
 
     def lower_bound(self) -> float:
         """Bound on phi that the direction proves without trusting any solver [N]; infinite for a certificate."""

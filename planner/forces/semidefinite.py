@@ -4,7 +4,8 @@
           | f_i^T   phi |                      |  0    mu n   t_2  |
                                                | t_1   t_2    mu n |
 
-with n the normal and t_1, t_2 the tangential parts of f_i; in the plane t_2 = 0. For a finger of another strength than
+with n the normal and t_1, t_2 the tangential parts of f_i; in the plane there is no t_2, and P_i is smaller; where a
+finger can twist there is one t more. For a finger of another strength than
 1, s_i phi takes the place of phi. By Schur's complement F_i says |f_i| <= phi and P_i says sqrt(t_1^2 + t_2^2) <= mu n.
 Source: Watanabe and Yoshikawa, section 3.1, after eq. (8); M. Buss, H. Hashimoto, J. B. Moore, "Dexterous hand grasping
 force optimization", 1996.
@@ -27,11 +28,13 @@ class SemidefiniteForces(CvxpyForces):
         return contact_frames(normal[None])[0, :, 1:].T
 
     def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
-        import cvxpy as cp
+        return [_arrow(cap, force) >> 0, _arrow(limit, tangential) >> 0]
 
-        dimension = force.shape[0]
-        column = cp.reshape(force, (dimension, 1), order="C")
-        F = cp.bmat([[cap * np.eye(dimension), column], [column.T, cp.reshape(cap, (1, 1), order="C")]])
-        t_1, t_2 = tangential[0], tangential[1] if dimension == 3 else 0.0
-        P = cp.bmat([[limit, 0.0, t_1], [0.0, limit, t_2], [t_1, t_2, limit]])
-        return [F >> 0, P >> 0]
+
+def _arrow(length: Any, vector: Any) -> Any:
+    """The matrix that is positive semidefinite where |vector| <= length."""
+    import cvxpy as cp
+
+    size = vector.shape[0]
+    column = cp.reshape(vector, (size, 1), order="C")
+    return cp.bmat([[length * np.eye(size), column], [column.T, cp.reshape(length, (1, 1), order="C")]])

@@ -67,13 +67,18 @@ def squeeze_need(contacts: Contacts, reference_point: Floats, wrenches: Floats) 
         wrenches: Vertices of W_R about p_o, shape (wrenches, D) [N, N m].
 
     Raises:
-        ContactError: When a finger's strength is not 1.
+        ContactError: When a finger's strength is not 1, or it has torsional friction.
         SolverError: When Clarabel stops without an optimum or a certificate.
     """
     if (contacts.strengths != 1).any():
         raise ContactError(
             f"the fingers have strengths {contacts.strengths.tolist()}; what a squeeze needs is defined for fingers of "
             "strength 1: measure this grasp with fingers that adapt"
+        )
+    if contacts.torsions.any():
+        raise ContactError(
+            "the fingers have torsional friction; what a squeeze needs is defined for tips that give way to every push "
+            "alike, and how far one yields to a twist is not known: measure this grasp with fingers that adapt"
         )
     fingers, d = contacts.points.shape
     frames = contact_frames(contacts.normals)

@@ -61,6 +61,7 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
     _agree("position", grasp.contacts.points, candidates.points[grasp.chosen])
     _agree("normal", grasp.contacts.normals, candidates.normals[grasp.chosen])
     _agree("friction", grasp.contacts.friction, candidates.friction[grasp.chosen])
+    _agree("torsion", grasp.contacts.torsions, candidates.torsions[grasp.chosen])
     _agree("strength", grasp.contacts.strengths, grasp.certificate.strengths[grasp.chosen])
     _agree("phi", grasp.phi, (np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths).max(axis=1))
     _agree("rho", np.array(document.rho, dtype=float), grasp.phi.max())

@@ -10,7 +10,7 @@ from planner.grasps.grasp import ProofCheck, SearchRecord
 from planner.search.result import Status
 
 FORMAT = "rhograsp.grasp"
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 Count = Annotated[int, msgspec.Meta(ge=0)]
@@ -62,6 +62,8 @@ class ContactRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=Tru
     candidate: Count
     strength: Positive | None = None
     """The finger here must be able to push with strength times rho; left out where it is 1."""
+    torsion: Positive | None = None
+    """Torsional friction gamma: most torque about the normal per normal force [m]; left out where there is none."""
 
 
 class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -72,13 +74,15 @@ class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
     strength: Positive
 
 
-class CandidatesRecord(msgspec.Struct, frozen=True, kw_only=True):
+class CandidatesRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     """Where fingers might have gone: one row or number for each candidate."""
 
     positions: list[Vector]
     normals: list[Vector]
     """Inward unit normals."""
     friction: Vector
+    torsion: Vector | None = None
+    """Torsional friction gamma [m]; left out where no finger has any."""
 
 
 class CertificateRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -113,7 +117,8 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
 
     rho is the force level: finger i must be able to push with strength_i rho, its strength being 1 where not given.
 
-    forces[j] balance task.wrenches[j]: sum f = -force and sum (p - reference_point) x f = -moment.
+    forces[j] and torques[j] balance task.wrenches[j]: sum f = -force and
+    sum (p - reference_point) x f + torque normal = -moment.
     """
 
     format: str
@@ -135,6 +140,9 @@ class GraspDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Least force level for each wrench [N]."""
     forces: list[list[Vector]]
     """Contact forces, one row of forces per wrench [N]."""
+    torques: list[Vector] | None = None
+    """Torques of the contacts about their inward normals, one row per wrench [N m]; null where no finger has torsional
+    friction."""
     candidate_choice: CandidateChoice | None = None
     """How the candidates were chosen; null where it is not known."""
     search: SearchRecord

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts
 from planner.errors import CandidateError
@@ -67,7 +68,7 @@ class Certificate:
     Every row lambda proves 1 / rho_N <= sum_{i in N} s_i h_i(lambda) / c(lambda), with s_i the strength of the finger
     at candidate i, h_i the support function of G_i (K_i ∩ B) and c(lambda) = max_j -lambda . w_j; together they prove
     the bound for all subsets N that have the right number of fingers of each kind and keep spacing and span. For two
-    fingers in space the moment about the line through the pair counts as one more row.
+    fingers in space, of which two may be hard, the moment about the line through the pair counts as one more row.
 
     Raises:
         CandidateError: When the kinds do not add up to the candidates, or no distance fits spacing and span.
@@ -169,6 +170,9 @@ class Grasp:
 
     forces: np.ndarray
     """Contact forces that balance each wrench, shape (l, m, d) [N]."""
+
+    torques: Floats
+    """Torques about the inward normals that do so beside them, shape (l, m) [N m]; zero for hard fingers."""
 
     search: SearchRecord
 

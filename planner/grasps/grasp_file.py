@@ -13,6 +13,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, OutputError, RhograspError
@@ -122,6 +123,7 @@ def document_of(grasp: Grasp, path: Path) -> GraspDocument:
                 geom=grasp.geoms[i],
                 candidate=int(grasp.chosen[i]),
                 strength=None if contacts.strengths[i] == 1 else float(contacts.strengths[i]),
+                torsion=float(contacts.torsions[i]) or None,
             )
             for i in range(len(contacts))
         ],
@@ -132,6 +134,7 @@ def document_of(grasp: Grasp, path: Path) -> GraspDocument:
         critical_wrench=grasp.critical_wrench if grasp.found else None,
         phi=grasp.phi.tolist(),
         forces=grasp.forces.tolist(),
+        torques=grasp.torques.tolist() if contacts.torsions.any() else None,
         search=grasp.search,
         certificate=_certificate_record(grasp.certificate),
         proof_check=grasp.proof_check,
@@ -162,6 +165,7 @@ def _certificate_record(certificate: Certificate) -> CertificateRecord:
             positions=candidates.points.tolist(),
             normals=candidates.normals.tolist(),
             friction=candidates.friction.tolist(),
+            torsion=candidates.torsions.tolist() if candidates.torsions.any() else None,
         ),
         cuts=certificate.cuts.tolist(),
         kinds=[KindRecord(**asdict(kind)) for kind in certificate.kinds],
@@ -223,6 +227,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
             normals=np.array([contact.normal for contact in contacts], dtype=float).reshape(shape),
             friction=np.array([contact.friction for contact in contacts], dtype=float),
             strength=np.array([1.0 if contact.strength is None else contact.strength for contact in contacts]),
+            torsion=np.array([contact.torsion or 0.0 for contact in contacts]),
         ),
         geoms=tuple(contact.geom for contact in contacts),
         chosen=np.array([contact.candidate for contact in contacts], dtype=np.int64),
@@ -230,6 +235,7 @@ def _grasp(path: Path, document: GraspDocument) -> Grasp:
         status=document.status,
         phi=np.array(document.phi, dtype=float),
         forces=np.array(document.forces, dtype=float).reshape(len(document.phi), *shape),
+        torques=_torques(document.torques, (len(document.phi), len(contacts))),
         search=document.search,
         certificate=certificate,
         proof_check=document.proof_check,
@@ -245,6 +251,7 @@ def _certificate(record: CertificateRecord) -> Certificate:
         points=np.array(record.candidates.positions, dtype=float),
         normals=np.array(record.candidates.normals, dtype=float),
         friction=np.array(record.candidates.friction, dtype=float),
+        torsion=None if record.candidates.torsion is None else np.array(record.candidates.torsion, dtype=float),
     )
     return Certificate(
         candidates=candidates,
@@ -263,6 +270,10 @@ def _source(path: Path, record: ObjectRecord) -> ObjectSource:
         locked_joints=tuple(record.locked_joints),
         keyframe=record.keyframe,
     )
+
+
+def _torques(rows: list[list[float]] | None, shape: tuple[int, int]) -> Floats:
+    return np.zeros(shape) if rows is None else np.array(rows, dtype=float).reshape(shape)
 
 
 def _point(coordinates: list[float] | None) -> np.ndarray | None:

@@ -25,6 +25,9 @@ class Evaluation:
     forces: Floats
     """Contact forces in the body frame, shape (l, m, d) [N]; NaN where infeasible."""
 
+    torques: Floats
+    """Contact torques about the inward normals, shape (l, m) [N m]; NaN where infeasible."""
+
     @property
     def rho(self) -> float:
         """max_j phi_N(w_j) [N]."""
@@ -73,9 +76,10 @@ class Evaluator:
         """The evaluation made of one solution per case, in order; of each vertex the worst shifts count."""
         contacts = self.problem.fingertips.subset(subset)
         phi = np.array([phi for _, phi, _ in solutions]).reshape(-1, len(self.problem.wrenches))
-        worst = [solutions[case][0] for case in phi.argmax(axis=0) * phi.shape[1] + np.arange(phi.shape[1])]
+        worst = np.stack([solutions[case][0] for case in phi.argmax(axis=0) * phi.shape[1] + np.arange(phi.shape[1])])
         return Evaluation(
             subset=subset,
             phi=phi.max(axis=0),
-            forces=self.problem.model.forces(contacts, np.stack(worst)),
+            forces=self.problem.model.forces(contacts, worst),
+            torques=self.problem.model.torques(contacts, worst),
         )

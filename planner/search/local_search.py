@@ -71,7 +71,7 @@ def best_swap(cuts: CutTable, subset: Indices, slot: int, among: Indices, least:
     """The candidate that, in place of one of the subset, has the largest bound, if that exceeds `least`; else -1."""
     problem = cuts.problem
     others = np.concatenate([subset[:slot], subset[slot + 1 :]])
-    if not problem.is_the_papers:
+    if problem.kinds or problem.pairs_are_limited:
         among = among[problem.partners(others)[among] & (problem.kind[among] == problem.kind[subset[slot]])]
     return best_partner(cuts.values, others, among, least)
 

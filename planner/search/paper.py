@@ -58,8 +58,8 @@ class PaperSearch:
         """
         if not problem.is_the_papers:
             raise CandidateError(
-                "the paper's search knows neither kinds of fingers nor distances between contacts nor position errors; "
-                "use the certified search"
+                "the paper's search knows neither kinds of fingers nor torsional friction nor distances between "
+                "contacts nor position errors; use the certified search"
             )
         if problem.subsets > MOST_SUBSETS:
             raise CandidateError(

@@ -152,8 +152,9 @@ class SearchProblem:
 
     @property
     def is_the_papers(self) -> bool:
-        """Whether all fingers are alike, meet their contacts, and may be at any distance from each other."""
-        return not self.kinds and not self.pairs_are_limited and not self.position_error
+        """Whether all fingers are alike, hard, meet their contacts, and may be at any distance from each other."""
+        alike = not self.kinds and not self.contacts.torsions.any()
+        return alike and not self.pairs_are_limited and not self.position_error
 
     def admits(self, subset: Indices) -> bool:
         """Whether a subset of candidates, shape (m,), has the right kinds of fingers, spacing and span."""

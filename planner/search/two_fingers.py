@@ -1,9 +1,10 @@
-"""Two hard fingers in space cannot resist a moment about the line through them.
+"""Two hard fingers in space cannot resist a moment about the line through them, and others only by torsional friction.
 
 For contacts at arms r_1, r_2 and the unit vector u of their line, the direction lambda = (r_1 x u, u) gives
-G_1' lambda = G_2' lambda = 0: no contact force, in or out of the friction cones, works along it. It is a cut that
-needs no solver, one per pair, and it settles almost every pair for almost every W_R. In floating point the zeros are
-rounding errors; they count against the cut, so that a moment that is zero but for rounding bounds nothing.
+G_1' lambda = G_2' lambda = 0: no contact force, in or out of the friction cones, works along it. What a finger with
+torsional friction gamma_i does along it is at most s_i gamma_i |u . n_i|. It is a cut that needs no solver, one per
+pair, and it settles almost every pair of hard fingers for almost every W_R. In floating point the zeros are rounding
+errors; they count against the cut, so that a moment that is zero but for rounding bounds nothing.
 """
 
 from collections.abc import Iterator
@@ -43,7 +44,9 @@ def line_bounds(problem: SearchProblem, subsets: Indices) -> Floats:
     loads = np.abs(np.hstack([np.cross(arms[:, 0], line), line]) @ problem.wrenches.T).max(axis=1)
     forces, moments = (np.linalg.norm(part, axis=1).max() for part in np.split(problem.wrenches, 2, axis=1))
     reach = np.linalg.norm(arms, axis=2).sum(axis=1)
-    capacity = problem.strengths[subsets].sum(axis=1) * ROUND_OFF * reach
+    along = np.abs(np.einsum("pd,pid->pi", line, problem.contacts.normals[subsets]))
+    twists = problem.contacts.torsions[subsets] * along
+    capacity = (problem.strengths[subsets] * (twists + ROUND_OFF * reach[:, None])).sum(axis=1)
     loads -= ROUND_OFF * (reach * forces + moments)
     bounds = np.full(len(subsets), np.inf)
     np.divide(capacity, loads, out=bounds, where=loads > 0)

@@ -1,7 +1,7 @@
 """Is a grasp file true? Nothing here shares code with the search that made it.
 
 verify        every claim, one check each
-bound_check   the proof of the lower bound; groups: many subsets at once
+bound_check   the proof of the lower bound; capacities: what a contact does along a cut; groups: many subsets at once
 proof_check   the same before a plan is called proven
 provenance/   do task, object and candidates belong together?
 """

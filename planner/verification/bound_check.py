@@ -19,6 +19,7 @@ from planner.contact_models.models import free_to_turn
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
 from planner.progress import Done
+from planner.verification.capacities import cut_values
 from planner.verification.groups import Groups, group_candidates
 
 MOST_ENUMERATED = 100_000
@@ -78,6 +79,11 @@ class Claim:
     bound: float
     """Lower bound on rho [N]."""
 
+    @property
+    def most(self) -> float:
+        """What no subset may exceed, rounding included [1/N]."""
+        return (1 + ROUNDING) / self.bound
+
 
 def check_bound(
     certificate: Certificate,
@@ -96,27 +102,25 @@ def check_bound(
     Raises:
         CandidateError: If the kinds of fingers do not add up to the fingers claimed.
     """
-    candidates, fingers, wrenches = certificate.candidates, claim.fingers, claim.wrenches
+    candidates, fingers = certificate.candidates, claim.fingers
     counts = [(kind.fingers, kind.candidates) for kind in certificate.kinds] or [(fingers, len(candidates))]
     if sum(count for count, _ in counts) != fingers:
         raise CandidateError(f"the kinds of fingers {certificate.kinds} do not add up to {fingers} fingers")
-    arms = candidates.points - claim.reference_point
-    table = np.empty((len(arms), len(certificate.cuts)))
+    table = np.empty((len(candidates), len(certificate.cuts)))
     for start in range(0, len(certificate.cuts), CUTS_AT_ONCE):
         if stop():
             return BoundCheck(method="groups", share=0.0)
         some = slice(start, start + CUTS_AT_ONCE)
-        table[:, some] = cut_values(arms, candidates.normals, candidates.friction, certificate.cuts[some], wrenches)
+        table[:, some] = cut_values(candidates, claim.reference_point, certificate.cuts[some], claim.wrenches)
     table *= certificate.strengths[:, None]
-    most = (1 + ROUNDING) / claim.bound
     if free_to_turn(candidates, fingers):
-        return _check_pairs(certificate, table, arms, wrenches, most, stop)
+        return _check_pairs(certificate, table, claim, stop)
     groups = group_candidates(candidates.points, candidates.normals, [count for _, count in counts], table)
     check = _Check(
         groups=groups,
         spacing=certificate.spacing,
         span=certificate.span,
-        most=most,
+        most=claim.most,
         subsets=certificate.subsets(fingers),
         observe=observe,
         stop=stop,
@@ -124,41 +128,6 @@ def check_bound(
     if check.subsets <= MOST_ENUMERATED:
         return check.enumerate(counts)
     return check.split([count for count, _ in counts])
-
-
-def cut_values(
-    arms: np.ndarray, normals: np.ndarray, friction: np.ndarray, cuts: np.ndarray, wrenches: np.ndarray
-) -> np.ndarray:
-    """a_i(lambda_k): what one newton at contact i does along lambda_k, per unit of what W_R asks along it.
-
-    With theta the angle between the contact's velocity v = lambda_f + lambda_m x r and its normal, and
-    alpha = atan(mu): |v| where theta <= alpha, else |v| cos(theta - alpha), never below zero.
-
-    Args:
-        arms: r_i = p_i - p_o, shape (n, d) [m].
-        normals: Inward unit normals, shape (n, d).
-        friction: Shape (n,).
-        cuts: Directions lambda, shape (cuts, D).
-        wrenches: Vertices of W_R, shape (l, D).
-
-    Returns:
-        Shape (n, cuts) [1/N]; infinite for directions along which W_R asks nothing.
-    """
-    dimension = arms.shape[1]
-    table = np.full((len(arms), len(cuts)), np.inf)
-    for k, cut in enumerate(cuts):
-        asked = float((-(wrenches @ cut)).max())
-        if asked <= 0:
-            continue
-        if dimension == 2:
-            velocity = cut[:2] + cut[2] * np.stack([-arms[:, 1], arms[:, 0]], axis=1)
-        else:
-            velocity = cut[:3] + np.cross(cut[3:], arms)
-        along = np.einsum("id,id->i", velocity, normals)
-        across = np.linalg.norm(velocity - along[:, None] * normals, axis=1)
-        outside = np.maximum(np.arctan2(across, along) - np.arctan(friction), 0.0)
-        table[:, k] = np.hypot(along, across) * np.maximum(np.cos(np.minimum(outside, np.pi / 2)), 0.0) / asked
-    return table
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -231,49 +200,46 @@ def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
     return (tuple(chain(*parts)) for parts in product(*choices))
 
 
-def _check_pairs(
-    certificate: Certificate,
-    table: np.ndarray,
-    arms: np.ndarray,
-    wrenches: np.ndarray,
-    most: float,
-    stop: Callable[[], bool],
-) -> BoundCheck:
+def _check_pairs(certificate: Certificate, table: np.ndarray, claim: Claim, stop: Callable[[], bool]) -> BoundCheck:
     """All pairs of contacts in space: covered by a cut, or by the moment W_R asks about their line."""
-    points, kind, strengths = certificate.candidates.points, certificate.kind, certificate.strengths
-    alike = len(certificate.kinds) < 2  # else there is one finger of each kind
-    for first in range(len(arms) - 1):
+    kind, alike = certificate.kind, len(certificate.kinds) < 2  # else there is one finger of each kind
+    points = certificate.candidates.points
+    for first in range(len(points) - 1):
         if stop():
-            left = (len(arms) - first) * (len(arms) - first - 1)
-            return BoundCheck(method="enumeration", share=1 - left / (len(arms) * (len(arms) - 1)))
+            left = (len(points) - first) * (len(points) - first - 1)
+            return BoundCheck(method="enumeration", share=1 - left / (len(points) * (len(points) - 1)))
         distances = np.linalg.norm(points - points[first], axis=1)
         possible = (distances >= certificate.spacing) & (distances <= certificate.span)
         possible &= alike | (kind != kind[first])
         others = first + 1 + np.flatnonzero(possible[first + 1 :])
-        others = others[_turning(arms[first], arms[others], strengths[first], strengths[others], wrenches) > most]
+        others = others[_turning(certificate, claim, first, others) > claim.most]
         least = (table[first] + table[others]).min(axis=1, initial=np.inf)
-        if (least > most).any():
+        if (least > claim.most).any():
             pair = (first, int(others[least.argmax()]))
             return BoundCheck(method="enumeration", counterexample=pair, weaker=1 / float(least.max()))
     return BoundCheck(method="enumeration")
 
 
-def _turning(
-    arm: np.ndarray, arms: np.ndarray, strength: float, strengths: np.ndarray, wrenches: np.ndarray
-) -> np.ndarray:
+def _turning(certificate: Certificate, claim: Claim, first: int, others: np.ndarray) -> np.ndarray:
     """Bounds on 1 / rho of one contact paired with others, from the moment about their line, shape (others,) [1/N].
 
-    A contact does at most s |v| along a direction that moves it with velocity v; here v is zero but for rounding, by
-    which it counts as larger and what is asked as smaller. So a moment that is zero but for rounding bounds nothing.
+    A contact does at most s |v| + s gamma |omega . n| along a direction that moves it with velocity v and turns it with
+    omega; here v is zero but for rounding, by which it counts as larger and what is asked as smaller. So a moment that
+    is zero but for rounding bounds nothing.
     """
+    candidates, strengths = certificate.candidates, certificate.strengths
+    points, normals, torsions = candidates.points - claim.reference_point, candidates.normals, candidates.torsions
+    arm, arms = points[first], points[others]
     lines = np.where((arms == arm).all(axis=1, keepdims=True), [1.0, 0.0, 0.0], arms - arm)
     forces = np.cross(arm, lines)
     lengths = np.linalg.norm(lines, axis=1)
     products = lengths * (np.linalg.norm(arm) + np.linalg.norm(arms, axis=1))
-    largest_force, largest_moment = (np.linalg.norm(part, axis=1).max() for part in np.split(wrenches, 2, axis=1))
-    asked = np.abs(forces @ wrenches[:, :3].T + lines @ wrenches[:, 3:].T).max(axis=1)
+    largest_force, largest_moment = (np.linalg.norm(part, axis=1).max() for part in np.split(claim.wrenches, 2, axis=1))
+    asked = np.abs(forces @ claim.wrenches[:, :3].T + lines @ claim.wrenches[:, 3:].T).max(axis=1)
     asked -= ROUND_OFF * (products * largest_force + lengths * largest_moment)
     own = np.linalg.norm(forces + np.cross(lines, arm), axis=1) + ROUND_OFF * products
+    own += torsions[first] * np.abs(lines @ normals[first])
     other = np.linalg.norm(forces + np.cross(lines, arms), axis=1) + ROUND_OFF * products
-    done = strength * own + strengths * other
+    other += torsions[others] * np.abs(np.einsum("id,id->i", lines, normals[others]))
+    done = strengths[first] * own + strengths[others] * other
     return np.divide(done, asked, out=np.full(len(arms), np.inf), where=asked > 0)

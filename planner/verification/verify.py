@@ -54,6 +54,7 @@ def _contacts(grasp: Grasp) -> Check:
         float(np.abs(grasp.contacts.points - contacts.points).max()) / float(np.abs(candidates.points).max() or 1.0),
         float(np.abs(grasp.contacts.normals - contacts.normals).max()),
         float(np.abs(grasp.contacts.friction - contacts.friction).max()),
+        float(np.abs(grasp.contacts.torsions - contacts.torsions).max()) / float(contacts.torsions.max() or 1.0),
         float(np.abs(grasp.contacts.strengths / grasp.certificate.strengths[grasp.chosen] - 1).max()),
     )
     broken = _broken_limits(grasp)
@@ -86,7 +87,7 @@ def _broken_limits(grasp: Grasp) -> list[str]:
 
 
 def _balance(grasp: Grasp) -> Check:
-    """sum f = -force and sum (p - p_o) x f = -moment for every wrench."""
+    """sum f = -force and sum (p - p_o) x f + tau n = -moment for every wrench."""
     task, dimension = grasp.task, grasp.contacts.dimension
     arms = grasp.contacts.points - task.reference_point
     force = grasp.forces.sum(axis=1) + task.wrenches[:, :dimension]
@@ -94,7 +95,8 @@ def _balance(grasp: Grasp) -> Check:
         moments = arms[:, 0] * grasp.forces[..., 1] - arms[:, 1] * grasp.forces[..., 0]
         moment = moments.sum(axis=1)[:, None] + task.wrenches[:, 2:]
     else:
-        moment = np.cross(arms, grasp.forces).sum(axis=1) + task.wrenches[:, 3:]
+        moment = np.cross(arms, grasp.forces).sum(axis=1) + grasp.torques @ grasp.contacts.normals
+        moment += task.wrenches[:, 3:]
     length = float(np.linalg.norm(arms, axis=1).max()) or 1.0
     error = max(float(np.abs(force).max()), float(np.abs(moment).max()) / length) / grasp.rho
     return checked(
@@ -103,14 +105,17 @@ def _balance(grasp: Grasp) -> Check:
 
 
 def _cones(grasp: Grasp) -> Check:
-    """Angle of every force to its normal at most atan(mu)."""
-    normal = np.einsum("jid,id->ji", grasp.forces, grasp.contacts.normals)
+    """Angle of every force to its normal at most atan(mu), less where the finger twists; hard ones do not twist."""
+    contacts = grasp.contacts
+    normal = np.einsum("jid,id->ji", grasp.forces, contacts.normals)
     length = np.linalg.norm(grasp.forces, axis=2)
     tangential = np.sqrt(np.maximum(length**2 - normal**2, 0.0))
-    outside = float(np.maximum(tangential - grasp.contacts.friction * normal, -normal).max()) / grasp.rho
+    soft = contacts.torsions > 0
+    rub = np.sqrt(tangential**2 + (grasp.torques * contacts.friction / np.where(soft, contacts.torsions, 1.0)) ** 2)
+    outside = float(np.maximum(rub - contacts.friction * normal, -normal).max()) / grasp.rho
     return checked(
         claim="every force lies in its friction cone",
-        holds=outside <= TOLERANCE,
+        holds=outside <= TOLERANCE and not grasp.torques[:, ~soft].any(),
         detail=f"largest excess {max(outside, 0.0):.1e} of rho",
     )
 
@@ -128,11 +133,12 @@ def _caps(grasp: Grasp) -> Check:
 
 def _rho(grasp: Grasp, observe: Observe) -> Check:
     """rho is the largest phi, each from an independent model."""
-    solver = ReferenceForces(len(grasp.contacts), grasp.contacts.dimension)
+    contacts = grasp.contacts
+    solver = ReferenceForces(len(contacts), contacts.dimension, twisting=bool(contacts.torsions.any()))
     task, phi = grasp.task, np.empty(len(grasp.task.wrenches))
     for row, wrench in enumerate(task.wrenches):
         observe("wrenches solved by an independent solver", row, len(phi))
-        problem = ForceProblem(contacts=grasp.contacts, reference_point=task.reference_point, wrench=wrench)
+        problem = ForceProblem(contacts=contacts, reference_point=task.reference_point, wrench=wrench)
         phi[row] = solver.solve(problem).phi
     difference = float(np.abs(phi - grasp.phi).max()) / grasp.rho
     return checked(

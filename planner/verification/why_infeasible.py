@@ -9,7 +9,7 @@ from planner.millimetres import in_mm
 from planner.objects.plausibility import CANDIDATES_PER_FINGER
 from planner.objects.vectors import unit
 from planner.search.result import Status
-from planner.verification.bound_check import cut_values
+from planner.verification.capacities import cut_values
 
 MOST_LINED = 1000
 """Candidates whose lines are all compared with the load: half a million, in a fraction of a second."""
@@ -24,8 +24,7 @@ def hopeless_cut(grasp: Grasp) -> np.ndarray | None:
         return None
     certificate, task = grasp.certificate, grasp.task
     candidates, cuts = certificate.candidates, certificate.cuts
-    arms = candidates.points - task.reference_point
-    table = cut_values(arms, candidates.normals, candidates.friction, cuts, task.wrenches)
+    table = cut_values(candidates, task.reference_point, cuts, task.wrenches)
     hopeless = np.flatnonzero(certificate.strengths @ table * grasp.lower_bound <= 1)
     return cuts[hopeless[0]] if len(hopeless) else None
 
@@ -58,7 +57,8 @@ def remedies(grasp: Grasp) -> list[str]:
             "(--candidates); or "
         )
         helping.append(
-            f"{opposite if _lines_left(grasp) else ''}a third finger; fingertips that resist turning are not modelled"
+            f"{opposite if _lines_left(grasp) else ''}fingertips that resist turning: --patch 0.004 for pads of 4 mm "
+            "radius, or --torsion; or a third finger"
         )
     if grasp.search.candidates < CANDIDATES_PER_FINGER * grasp.search.fingers:
         helping.append(f"more candidates: {grasp.search.candidates} are few for {grasp.search.fingers} fingers")
@@ -66,7 +66,9 @@ def remedies(grasp: Grasp) -> list[str]:
 
 
 def _is_pair(grasp: Grasp) -> bool:
-    return free_to_turn(grasp.certificate.candidates, grasp.search.fingers)
+    """Whether it is of two fingers, neither of which resists turning wherever it is."""
+    candidates = grasp.certificate.candidates
+    return free_to_turn(candidates, grasp.search.fingers) and not candidates.torsions.any()
 
 
 def _least_miss(grasp: Grasp) -> float | None:

@@ -1,5 +1,7 @@
 """Random inner problems."""
 
+from dataclasses import replace
+
 import numpy as np
 from hypothesis import strategies as st
 
@@ -45,3 +47,28 @@ def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
     tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
     slopes = contacts.friction * rng.uniform(0, 1, size=len(contacts))
     return rng.uniform(0, 1, size=(len(contacts), 1)) * (contacts.normals + slopes[:, None] * tangents)
+
+
+def soft(contacts: Contacts, torsion: float | np.ndarray) -> Contacts:
+    """The contacts with torsional friction [m], one for all or one for each."""
+    return replace(contacts, torsion=np.broadcast_to(np.asarray(torsion, dtype=float), contacts.friction.shape))
+
+
+def soft_problem(rng: np.random.Generator, fingers: int, *, feasible: bool) -> ForceProblem:
+    """The same with torsional friction of a thousandth to the tenfold of the object's size, and none here and there.
+
+    The wrench of a feasible one is also made by torques within the cones that forces leave room for.
+    """
+    hard = random_problem(rng, fingers, 3, feasible=feasible)
+    contacts, size = hard.contacts, float(np.linalg.norm(hard.contacts.points[0]))
+    torsion = np.where(rng.random(fingers) < 0.25, 0.0, size * 10.0 ** rng.uniform(-3, 1, fingers))
+    torsion[rng.integers(fingers)] = size * 10.0 ** rng.uniform(-3, 0)
+    wrench = hard.wrench.copy()
+    if feasible:
+        forces = cone_forces(rng, contacts)
+        normal = (forces * contacts.normals).sum(axis=1)
+        rubbing = np.linalg.norm(forces - normal[:, None] * contacts.normals, axis=1)
+        room = np.sqrt(np.maximum(normal**2 - (rubbing / contacts.friction) ** 2, 0)) * torsion
+        wrench = -np.einsum("iDd,id->D", grasp_maps(contacts.points, hard.reference_point), forces)
+        wrench[3:] -= (rng.uniform(-1, 1, fingers) * room) @ contacts.normals
+    return replace(hard, contacts=soft(contacts, torsion), wrench=wrench)

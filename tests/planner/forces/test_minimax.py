@@ -55,6 +55,7 @@ def test_no_direction_proves_more_than_phi(seed: int, shape: tuple[int, int]) ->
         problem=best.problem,
         feasible=True,
         forces=best.forces,
+        torques=best.torques,
         phi=best.phi,
         direction=best.direction + rng.choice([1e-3, 0.1, 1.0]) * spread,
     )

@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from planner.contact_models.soft_finger import SOFT_FINGER
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.forces.semidefinite import SemidefiniteForces
-from tests.strategies.force_problems import SHAPES, random_problem
+from tests.strategies.force_problems import SHAPES, random_problem, soft_problem
 
 TRIALS = 10
 BEYOND_ANY_GRASP = 1e5
@@ -106,3 +107,26 @@ def test_a_palm_carries_a_weight_alone_while_the_finger_above_stays_off(
     )
     problem = ForceProblem(contacts=contacts, reference_point=np.zeros(3), wrench=np.array([0, 0, -7.0, 0, 0, 0]))
     assert solver(2, 3).solve(problem).phi == pytest.approx(7.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("fingers", [1, 2, 3, 4])
+@pytest.mark.parametrize("feasible", [True, False])
+def test_all_three_agree_on_fingers_that_twist(fingers: int, feasible: bool) -> None:
+    rng = np.random.default_rng([fingers, feasible, 7])
+    twisting = 0
+    clarabel = MinimaxForces(fingers, 3, SOFT_FINGER)
+    references = [ReferenceForces(fingers, 3, twisting=True), SemidefiniteForces(fingers, 3, twisting=True)]
+    for _ in range(TRIALS):
+        problem = soft_problem(rng, fingers, feasible=feasible)
+        fast = clarabel.solve(problem)
+        for solution in (fast, *(solver.solve(problem) for solver in references)):
+            assert solution.phi == pytest.approx(fast.phi, rel=1e-5)
+            assert solution.feasible or not feasible
+            if solution.feasible:
+                assert solution.balance_residual() < 1e-6
+                assert solution.cone_residual() < 1e-6
+                assert solution.gap() < 1e-5
+                twisting += bool(np.abs(solution.torques).max() > 0)
+                assert not solution.torques[problem.contacts.torsions == 0].any()
+    if feasible:
+        assert twisting > TRIALS

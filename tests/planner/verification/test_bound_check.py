@@ -20,7 +20,8 @@ from planner.search.exhaustive import exhaustive_search
 from planner.search.finger_kind import FingerKind
 from planner.search.problem import SearchProblem
 from planner.verification import bound_check as module
-from planner.verification.bound_check import Claim, check_bound, cut_values
+from planner.verification.bound_check import Claim, check_bound
+from planner.verification.capacities import cut_values
 from tests.strategies import limited_problems as limited
 from tests.strategies.limited_problems import allowed, least_level, limited_problem, opposite_problem
 from tests.strategies.search_problems import random_problem
@@ -44,9 +45,7 @@ def test_capacities_are_the_support_function_written_differently() -> None:
         problem = random_problem(seed)
         contacts = problem.contacts
         cuts = np.random.default_rng(seed).normal(size=(5, problem.wrenches.shape[1]))
-        table = cut_values(
-            contacts.points - problem.reference_point, contacts.normals, contacts.friction, cuts, problem.wrenches
-        )
+        table = cut_values(contacts, problem.reference_point, cuts, problem.wrenches)
         maps = grasp_maps(contacts.points, problem.reference_point)
         for k, cut in enumerate(cuts):
             asked = (-problem.wrenches @ cut).max()
