@@ -105,6 +105,12 @@ class GraspRequest:
     friction_error: float = 0.0
     """Share by which the coefficients may be off."""
 
+    torsion: float | None = None
+    """Torsional friction of every contact [m]; None for that of the patch, or each geom's own."""
+
+    patch: float | None = None
+    """Radius of the disc that every fingertip presses flat [m]."""
+
     fingertip: float | None = None
     """Radius of the fingertip that must fit beside other parts' walls [m]; None for a share of the object's size."""
 
@@ -130,7 +136,8 @@ def pose_problem(request: GraspRequest, show: Callable[[str], None] = lambda _: 
     task = make_task(request.task, rigid_object)
     show(f"choosing candidates: {request.candidates}")
     candidates = make_candidates(rigid_object, request.candidates, request.friction, request.seed, request.fingertip)
-    candidates, confirmed = candidates.least_friction(request.friction_error), None
+    candidates = candidates.twisting(request.torsion, request.patch).least_friction(request.friction_error)
+    confirmed = None
     if isinstance(rigid_object, RigidObject):
         show(f"confirming {len(candidates)} candidates with MuJoCo")
         confirmed = confirmed_candidates(rigid_object, candidates)

@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from planner.contact_models.soft_finger import torsion_of_patch
 from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
-from planner.errors import CandidateError
+from planner.errors import CandidateError, ContactError
 from planner.files.source_file import SourceFile
 from planner.objects.graspable import Graspable
 from planner.objects.surface.coincident import parts_through
@@ -32,6 +33,13 @@ class CandidateChoice:
     seed: int = 0
     """Seed of evenly spread points."""
 
+    torsion: float | None = None
+    """Torsional friction of all contacts [m]; None for each geom's own, or that of a patch."""
+
+    patch: float | None = None
+    """Radius of the disc that every fingertip presses flat [m], of which the torsional friction follows; None where it
+    does not."""
+
     file: SourceFile | None = None
     """The file of points, where they were listed in one."""
 
@@ -50,7 +58,7 @@ class Candidates:
     """Points where a finger may touch an object."""
 
     contacts: Contacts
-    """Points, inward normals and friction, in the body frame B."""
+    """Points, inward normals, friction and torsional friction, in the body frame B."""
 
     part: np.ndarray
     """Index into the object's parts, shape (n,)."""
@@ -81,8 +89,31 @@ class Candidates:
         left = replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
         return left.chosen(**how)
 
+    def twisting(self, torsion: float | None, patch: float | None) -> "Candidates":
+        """The candidates with the torsional friction of the fingers; as they are where neither is given.
+
+        Args:
+            torsion: gamma of every contact [m].
+            patch: Or the radius a of the disc that every fingertip presses flat [m]: gamma = 2/3 mu a.
+
+        Raises:
+            CandidateError: If both are given, or one is negative, too large, or for a planar object.
+        """
+        if torsion is None and patch is None:
+            return self
+        given = [f"{name} {value:g}" for name, value in (("torsion", torsion), ("patch", patch)) if value is not None]
+        if len(given) > 1:
+            raise CandidateError(f"{' and '.join(given)} both say how the fingers resist turning; give one of them")
+        friction = self.contacts.friction
+        gamma = np.full(len(self), torsion) if patch is None else torsion_of_patch(patch, friction)
+        try:
+            contacts = replace(self.contacts, torsion=gamma if gamma.any() else None)
+        except ContactError as error:
+            raise CandidateError(f"{given[0]} m: {error}") from error
+        return replace(self, contacts=contacts).chosen(torsion=torsion, patch=patch)
+
     def least_friction(self, error: float) -> "Candidates":
-        """The candidates with the smallest coefficient of an uncertain friction, mu (1 - error).
+        """The candidates with the smallest coefficients of an uncertain friction, mu (1 - error) and gamma (1 - error).
 
         A larger coefficient only widens the cones, so forces that hold here hold for every coefficient between
         mu (1 - error) and mu (1 + error), and rho of the worst of them is rho here.
@@ -97,7 +128,8 @@ class Candidates:
             raise CandidateError(
                 f"the friction error is {error}; it is a share, 0 or more and below 1, for example 0.1"
             )
-        contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error))
+        torsion = None if self.contacts.torsion is None else self.contacts.torsion * (1 - error)
+        contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error), torsion=torsion)
         return replace(self, contacts=contacts).chosen(friction_error=error)
 
     def chosen(self, **how: Any) -> "Candidates":
@@ -120,22 +152,23 @@ def candidates_at(
         part: Part of each point, shape (n,).
         facet: Facet of each point, shape (n,).
         friction: Coulomb coefficient of all contacts; None takes each geom's own, and where several share the surface
-            the smallest, because any of them may be what the finger touches.
+            the smallest, because any of them may be what the finger touches. Torsional friction is each geom's own.
 
     Raises:
         CandidateError: If a friction coefficient is out of range.
     """
     feet, normals = project(rigid_object, points, part, facet)
-    own = np.array([each.friction for each in rigid_object.parts])
-    if friction is None:
+    own, torsions = np.array([each.friction for each in rigid_object.parts]), rigid_object.torsions
+    through = np.zeros((len(part), len(own)), dtype=bool)
+    if friction is None or torsions.any():
         through = parts_through(rigid_object, feet)
-        through[np.arange(len(part)), part] = True
-        touched = np.where(through, own, np.inf).argmin(axis=1)
-    else:
-        touched, own = part, np.full(len(own), float(friction))
-    mu = own[touched]
+    through[np.arange(len(part)), part] = True
+    touched = part if friction is not None else np.where(through, own, np.inf).argmin(axis=1)
+    mu = own[touched] if friction is None else np.full(len(part), float(friction))
+    gamma = np.where(through, torsions, np.inf).min(axis=1) if torsions.any() else None
     bad = np.flatnonzero(~possible_friction(mu))
     if len(bad):
         source = "given" if friction is not None else f"of geom '{rigid_object.parts[touched[bad[0]]].geom}'"
         raise CandidateError(f"the friction {source} is {mu[bad[0]]:g}; it must be {ALLOWED_FRICTION}, set --friction")
-    return Candidates(contacts=Contacts(points=feet, normals=normals, friction=mu), part=part, facet=facet)
+    contacts = Contacts(points=feet, normals=normals, friction=mu, torsion=gamma)
+    return Candidates(contacts=contacts, part=part, facet=facet)

@@ -63,9 +63,10 @@ def object_lines(rigid_object: RigidObject) -> Iterator[str]:
     yield f"size        {' x '.join(in_mm(edge) for edge in rigid_object.extent)} mm"
     yield f"pose        {_placed(rigid_object.pose_in_file)}"
     width = max(len(part.geom) for part in rigid_object.parts)
-    for number, part in enumerate(rigid_object.parts):
+    for number, (part, torsion) in enumerate(zip(rigid_object.parts, rigid_object.torsions, strict=True)):
+        twist = f", torsion {in_mm(torsion, 3)} mm" if torsion else ""
         apart = "; not for fingers (--body)" if number in rigid_object.untouchable else ""
-        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}{apart}"
+        yield f"collides    {part.geom:{width}}  {_shape(part)}, friction {part.friction:g}{twist}{apart}"
     yield from _merged(rigid_object)
     difference = visual_difference(rigid_object)
     yield f"visual      {difference or 'no mesh to compare with what collides'}"

@@ -37,6 +37,14 @@ class Options(ObjectOptions):
     friction_error: float = 0.0
     """Share by which the coefficients may be smaller or larger, for example 0.2; rho then holds for all of them."""
 
+    torsion: float | None = None
+    """Torsional friction of every contact in metres: the most torque about the normal over the normal force. Two
+    fingers need it. By default each geom's own where its condim is 4 or more, else none."""
+
+    patch: float | None = None
+    """Or the radius in metres of the disc that every fingertip presses flat, for example 0.004: torsional friction is
+    then 2/3 friction x radius, that of even pressure."""
+
     task: str = "gravity"
     """What the grasp must resist: "gravity" is the weight in any direction, the centre of mass somewhere near; "paper"
     is the weight as a force box and the moments of a shifted centre of mass; "axes6" is a push of 10 N per kg each way
@@ -109,6 +117,8 @@ class Options(ObjectOptions):
             fingers=self.fingers,
             friction=self.friction,
             friction_error=self.friction_error,
+            torsion=self.torsion,
+            patch=self.patch,
             fingertip=self.fingertip,
             limits=self.limits,
             seed=self.seed,

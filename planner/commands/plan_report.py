@@ -46,6 +46,8 @@ class Report:
         self._as_read(rigid_object)
         self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
+        if candidates.contacts.torsions.any():
+            self._say(f"torsion     {_torsion(candidates)}")
         if candidates.moved > LEAST:
             self._say(f"moved       onto the surface by at most {in_mm(candidates.moved, 2)} mm")
         if problem.confirmed is not None:
@@ -196,6 +198,18 @@ def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
     least, most = friction.min(), friction.max()
     spread = f"{least:g}" if least == most else f"{least:g}–{most:g}"
     return f"{spread} (the object's own)" if (friction == own).all() else spread
+
+
+def _torsion(candidates: Candidates) -> str:
+    """The torsional friction and where it comes from."""
+    torsions, choice = candidates.contacts.torsions, candidates.choice
+    least, most = torsions.min(), torsions.max()
+    spread = in_mm(least, 3) if least == most else f"{in_mm(least, 3)} to {in_mm(most, 3)}"
+    if choice is not None and choice.patch is not None:
+        source = f", that of discs of {in_mm(choice.patch, 3)} mm radius, evenly pressed"
+    else:
+        source = "" if choice is not None and choice.torsion is not None else " (the object's own)"
+    return f"{spread} mm{source}: soft fingers, torque about the normal up to torsion times normal force"
 
 
 def _wrenches(rigid_object: Graspable, task: Task) -> str:

@@ -63,6 +63,9 @@ class RigidObject:
     gravity: float | None = None
     """Magnitude of the file's own `option gravity` [m/s^2]; None for objects that no file describes."""
 
+    torsion: tuple[float, ...] = ()
+    """See `torsions`; empty where the file gives no part any."""
+
     untouchable: frozenset[int] = frozenset()
     """Parts, by number, that no finger may touch, because they are not of the body that the user asked for."""
 
@@ -75,6 +78,11 @@ class RigidObject:
     def given(self) -> GivenMass:
         """What of the mass properties the user gave in place of the file's."""
         return self.source.given
+
+    @property
+    def torsions(self) -> np.ndarray:
+        """Torsional friction of each part's geom, 0 where its condim has none, shape (parts,) [m]."""
+        return np.array(self.torsion or np.zeros(len(self.parts)))
 
     @property
     def touchable(self) -> np.ndarray:

@@ -67,6 +67,7 @@ def decompose(source: ObjectSource, folder: Path) -> tuple[ObjectSource, int]:
 def _cut(rigid_object: RigidObject, compiled: CompiledObject, hollows: Container[int]) -> RigidObject:
     """The object with these of its parts in pieces."""
     parts: list[ConvexPart] = []
+    torsion: list[float] = []
     untouchable: set[int] = set()
     for number, part in enumerate(rigid_object.parts):
         mesh = compiled.mesh(compiled.colliding[number]) if number in hollows else None
@@ -74,7 +75,8 @@ def _cut(rigid_object: RigidObject, compiled: CompiledObject, hollows: Container
         if number in rigid_object.untouchable:
             untouchable |= set(range(len(parts), len(parts) + len(pieces)))
         parts += pieces
-    return replace(rigid_object, parts=tuple(parts), untouchable=frozenset(untouchable))
+        torsion += [float(rigid_object.torsions[number])] * len(pieces)
+    return replace(rigid_object, parts=tuple(parts), torsion=tuple(torsion), untouchable=frozenset(untouchable))
 
 
 def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction: float) -> list[Polyhedron]:

@@ -27,6 +27,9 @@ from planner.objects.rigid_object import ConvexPart, RigidObject
 
 logger = logging.getLogger(__name__)
 
+TORSIONAL = 4
+"""Contacts of this dimension (condim) and more have torsional friction."""
+
 
 def read_object(source: ObjectSource | Path) -> RigidObject:
     """The rigid object of an MJCF file, as MuJoCo collides it.
@@ -69,6 +72,7 @@ def as_compiled(source: ObjectSource, compiled: CompiledObject) -> RigidObject:
         body=compiled.body,
         parts=parts,
         pose_in_file=compiled.pose_in_file,
+        torsion=_torsion(compiled),
         untouchable=compiled.untouchable,
         mass=mass,
         center_of_mass=center_of_mass,
@@ -76,6 +80,13 @@ def as_compiled(source: ObjectSource, compiled: CompiledObject) -> RigidObject:
         extent=np.ptp(corners, axis=0),
         gravity=float(np.linalg.norm(compiled.model.opt.gravity)),
     ).weighing(source.given)
+
+
+def _torsion(compiled: CompiledObject) -> tuple[float, ...]:
+    """Torsional friction of each colliding geom [m]; empty where none has any."""
+    model, geoms = compiled.model, list(compiled.colliding)
+    torsion = np.where(model.geom_condim[geoms] >= TORSIONAL, model.geom_friction[geoms, 1], 0.0)
+    return tuple(torsion.tolist()) if torsion.any() else ()
 
 
 def _part(compiled: CompiledObject, geom: int) -> ConvexPart:

@@ -47,7 +47,9 @@ def write_mjcf(path: Path, rigid_object: RigidObject, seen: np.ndarray) -> None:
         _add_mesh(assets, SEEN, vertices, faces.reshape(-1, 3))
         ElementTree.SubElement(body, "geom", type="mesh", mesh=SEEN, contype="0", conaffinity="0", group="2", mass="0")
     for number, part in enumerate(rigid_object.parts):
-        _add_part(assets, outer if number in rigid_object.untouchable else body, number, part)
+        geom = _add_part(assets, outer if number in rigid_object.untouchable else body, number, part)
+        if torsion := float(rigid_object.torsions[number]):
+            geom.attrib |= {"condim": "4", "friction": f"{part.friction!r} {torsion!r}"}
     ElementTree.indent(root)
     write_atomically(path, ElementTree.tostring(root, encoding="utf-8") + b"\n")
 
@@ -63,7 +65,9 @@ def _add_inertial(body: ElementTree.Element, rigid_object: RigidObject) -> None:
     )
 
 
-def _add_part(assets: ElementTree.Element, body: ElementTree.Element, number: int, part: ConvexPart) -> None:
+def _add_part(
+    assets: ElementTree.Element, body: ElementTree.Element, number: int, part: ConvexPart
+) -> ElementTree.Element:
     geom = ElementTree.SubElement(body, "geom", name=part.geom, friction=repr(part.friction), group="3", mass="0")
     if isinstance(part, Primitive):
         geom.attrib |= {
@@ -75,6 +79,7 @@ def _add_part(assets: ElementTree.Element, body: ElementTree.Element, number: in
     elif isinstance(part, Polyhedron):
         geom.attrib |= {"type": "mesh", "mesh": f"part{number}"}
         _add_mesh(assets, f"part{number}", part.vertices)
+    return geom
 
 
 def _add_mesh(assets: ElementTree.Element, name: str, vertices: np.ndarray, faces: Iterable[object] = ()) -> None:

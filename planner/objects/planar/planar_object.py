@@ -49,6 +49,11 @@ class PlanarObject:
         return (self.outline,)
 
     @property
+    def torsions(self) -> np.ndarray:
+        """The plane has no normal to turn about, shape (1,)."""
+        return np.zeros(1)
+
+    @property
     def touchable(self) -> np.ndarray:
         """Fingers may touch the outline, shape (1,)."""
         return np.ones(1, dtype=bool)

@@ -113,7 +113,7 @@ def _chosen(choice: CandidateChoice, rigid_object: Graspable) -> Candidates:
     file = _file(choice)
     words = choice.candidates if file is None else file.path
     candidates = make_candidates(rigid_object, words, choice.friction, choice.seed, choice.fingertip)
-    candidates = candidates.least_friction(choice.friction_error)
+    candidates = candidates.twisting(choice.torsion, choice.patch).least_friction(choice.friction_error)
     if choice.confirmed and isinstance(rigid_object, RigidObject):
         return confirmed_candidates(rigid_object, candidates).candidates
     return candidates
@@ -162,7 +162,12 @@ def _difference(recorded: Certificate, again: Certificate, size: float) -> str:
 def _unlike(some: Certificate, others: Certificate, size: float) -> int:
     """How many of some candidates are not among others."""
     tables = [
-        np.column_stack([each.candidates.points / size, each.candidates.normals, each.candidates.friction, each.kind])
+        np.column_stack(
+            [
+                *(each.candidates.points / size, each.candidates.normals, each.candidates.friction),
+                *(each.candidates.torsions / size, each.kind),
+            ]
+        )
         for each in (some, others)
     ]
     distances, _ = cKDTree(tables[1]).query(tables[0], p=np.inf, distance_upper_bound=SAME)

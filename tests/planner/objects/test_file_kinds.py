@@ -254,10 +254,17 @@ def test_a_mesh_that_is_not_there_is_said_not_to_be_there(tmp_path: Path, name: 
         read_object(tmp_path / name)
 
 
-@pytest.mark.parametrize(("condim", "said"), [(1, False), (3, False), (4, True), (6, True)])
-def test_torsional_friction_of_the_file_is_said_not_to_be_modelled(
-    tmp_path: Path, condim: int, said: bool, caplog: pytest.LogCaptureFixture
+@pytest.mark.parametrize(("condim", "torsion"), [(1, 0.0), (3, 0.0), (4, 0.3), (6, 0.3)])
+def test_torsional_friction_is_that_of_the_file_where_its_contacts_have_any(
+    tmp_path: Path, condim: int, torsion: float
 ) -> None:
+    """And that of the smaller geom where two share the surface."""
     geom = BOX.replace("/>", f' condim="{condim}" friction=".9 .3 .1"/>')
-    read_object(written(tmp_path, world(f"<body><freejoint/>{geom}</body>")))
-    assert ["torsional" in message and "0.3" in message for message in caplog.messages] == [True] * said
+    hard = BOX.replace("box", "twin", 1).replace("/>", ' condim="3" friction=".9 .3 .1"/>')
+    alone = read_object(written(tmp_path, world(f"<body><freejoint/>{geom}</body>")))
+    assert alone.torsions == pytest.approx([torsion])
+    assert make_candidates(alone, "20").contacts.torsions == pytest.approx(np.full(20, torsion))
+    assert make_candidates(alone, "20", friction=0.4).contacts.torsions == pytest.approx(np.full(20, torsion))
+    twins = read_object(written(tmp_path, world(f"<body><freejoint/>{geom}{hard}</body>")))
+    assert twins.torsions == pytest.approx([torsion, 0])
+    assert not make_candidates(twins, "20").contacts.torsions.any()
