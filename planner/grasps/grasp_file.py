@@ -13,6 +13,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts, wrench_dimension
 from planner.errors import GraspFileError, OutputError, RhograspError
@@ -265,5 +266,5 @@ def _source(path: Path, record: ObjectRecord) -> ObjectSource:
     )
 
 
-def _point(coordinates: list[float] | None) -> np.ndarray | None:
+def _point(coordinates: list[float] | None) -> Floats | None:
     return None if coordinates is None else np.array(coordinates, dtype=float)

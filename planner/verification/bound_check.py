@@ -15,6 +15,7 @@ from itertools import chain, combinations, islice, product
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contact_models.models import free_to_turn
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
@@ -69,10 +70,10 @@ class Claim:
     fingers: int
     """Size m of the subsets."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, shape (d,) [m]."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Vertices of W_R, shape (l, D) [N, N m]."""
 
     bound: float
@@ -126,9 +127,7 @@ def check_bound(
     return check.split([count for count, _ in counts])
 
 
-def cut_values(
-    arms: np.ndarray, normals: np.ndarray, friction: np.ndarray, cuts: np.ndarray, wrenches: np.ndarray
-) -> np.ndarray:
+def cut_values(arms: Floats, normals: Floats, friction: Floats, cuts: Floats, wrenches: Floats) -> Floats:
     """a_i(lambda_k): what one newton at contact i does along lambda_k, per unit of what W_R asks along it.
 
     With theta the angle between the contact's velocity v = lambda_f + lambda_m x r and its normal, and
@@ -205,13 +204,13 @@ class _Check:
             rows = np.concatenate([rows, open_])
         return BoundCheck(method="groups")
 
-    def open(self, rows: np.ndarray) -> np.ndarray:
+    def open(self, rows: Indices) -> Indices:
         """The rows that keep their distances and are covered by no cut, the worst covered last."""
         rows = rows[self.groups.possible(rows, self.spacing, self.span)]
         sums = self.groups.least_sums(rows)
         return rows[np.argsort(sums)][(sums <= self.most).sum() :]
 
-    def refuted(self, method: str, row: np.ndarray) -> BoundCheck:
+    def refuted(self, method: str, row: Indices) -> BoundCheck:
         """The verdict on a row of single candidates that is open."""
         subset = tuple(sorted(self.groups.first[row].tolist()))
         weaker = 1 / float(self.groups.least_sums(row[None])[0])
@@ -233,9 +232,9 @@ def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
 
 def _check_pairs(
     certificate: Certificate,
-    table: np.ndarray,
-    arms: np.ndarray,
-    wrenches: np.ndarray,
+    table: Floats,
+    arms: Floats,
+    wrenches: Floats,
     most: float,
     stop: Callable[[], bool],
 ) -> BoundCheck:
@@ -258,9 +257,7 @@ def _check_pairs(
     return BoundCheck(method="enumeration")
 
 
-def _turning(
-    arm: np.ndarray, arms: np.ndarray, strength: float, strengths: np.ndarray, wrenches: np.ndarray
-) -> np.ndarray:
+def _turning(arm: Floats, arms: Floats, strength: float, strengths: Floats, wrenches: Floats) -> Floats:
     """Bounds on 1 / rho of one contact paired with others, from the moment about their line, shape (others,) [1/N].
 
     A contact does at most s |v| along a direction that moves it with velocity v; here v is zero but for rounding, by
