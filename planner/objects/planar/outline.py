@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from planner.arrays import Floats, Indices
+from planner.arrays import Floats, Indices, Mask
 from planner.objects.planar.simple_polygon import signed_area
 from planner.objects.vectors import norm
 
@@ -90,7 +90,7 @@ class Outline:
         """Distance from `point`, shape (2,), to the nearest corner [m]."""
         return float(norm(self.corners - point).min())
 
-    def _distances(self, points: Floats) -> Iterator[tuple[Floats, Floats]]:
+    def _distances(self, points: Floats) -> Iterator[tuple[Floats, Mask]]:
         """Chunk by chunk, distances to all edges, (n, edges), and whether each point is inside, (n,).
 
         Inside: a ray along x crosses the outline an odd number of times.
