@@ -3,6 +3,7 @@
 import numpy as np
 from hypothesis import strategies as st
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, grasp_maps, wrench_dimension
 from planner.forces.problem import ForceProblem
 
@@ -38,7 +39,7 @@ def random_contacts(rng: np.random.Generator, fingers: int, dimension: int) -> C
     )
 
 
-def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
+def cone_forces(rng: np.random.Generator, contacts: Contacts) -> Floats:
     """One force inside each friction cone: the normal plus a tangent shorter than mu."""
     tangents = rng.normal(size=contacts.points.shape)
     tangents -= (tangents * contacts.normals).sum(axis=1, keepdims=True) * contacts.normals
