@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from planner.arrays import Floats
+
 LEAST = 1e-9
 """What is shorter is rounding, and nothing [m]."""
 
@@ -14,6 +16,6 @@ def in_mm(length: float, digits: int = 4) -> str:
     return np.format_float_positional(shown, precision=digits, unique=False, fractional=False, trim="-")
 
 
-def point_in_mm(point: np.ndarray) -> str:
+def point_in_mm(point: Floats) -> str:
     """A point, shape (d,) [m], as (x, y, z) in mm to a thousandth, without the unit."""
     return f"({', '.join(f'{round(1000 * coordinate, 3) + 0.0:.9g}' for coordinate in point)})"  # + 0.0: no "-0"

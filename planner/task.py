@@ -22,6 +22,7 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import TaskError
 from planner.files.source_file import SourceFile, source_file
@@ -50,10 +51,10 @@ class Task:
 
     name: str
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, about which moments are taken, in the body frame, shape (d,) [m]."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Vertices of W_R in the body frame, shape (l, D) [N, N m]."""
 
     preset: str | None = None
@@ -123,7 +124,7 @@ def make_task(choice: str, object: Graspable) -> Task:
         raise TaskError(f"task file {choice}: {error}{sample}") from error
 
 
-def _preset(preset: Preset, object: Graspable, point: np.ndarray) -> WrenchSet:
+def _preset(preset: Preset, object: Graspable, point: Floats) -> WrenchSet:
     """Its set for one object; those that take the weight say where the object's file has another gravity."""
     if not isinstance(preset, Axes6):
         for doubt in gravity_doubts(object.gravity, GRAVITY):
@@ -140,20 +141,20 @@ def _stated_frame(file: TaskFile, object: Graspable) -> Pose | None:
     return object.pose_in_file
 
 
-def _point(pose: Pose | None, point: np.ndarray) -> np.ndarray:
+def _point(pose: Pose | None, point: Floats) -> Floats:
     """A point of F, shape (d,), in B [m]."""
     return point if pose is None else pose.to_local(point)
 
 
-def _turned(pose: Pose | None, wrenches: np.ndarray) -> np.ndarray:
+def _turned(pose: Pose | None, wrenches: Floats) -> Floats:
     """Wrenches about one point from the axes of F to those of B, shape (l, D): R_BF f, R_BF m."""
     if pose is None or wrenches.shape[1] != 6:  # a set for the plane is refused where its shape is checked
         return wrenches
-    rows: np.ndarray = wrenches.reshape(-1, 2, 3) @ pose.rotation
+    rows: Floats = wrenches.reshape(-1, 2, 3) @ pose.rotation
     return rows.reshape(-1, 6)
 
 
-def _wrench_set(table: dict[str, Any], object: Graspable, point: np.ndarray) -> WrenchSet:
+def _wrench_set(table: dict[str, Any], object: Graspable, point: Floats) -> WrenchSet:
     """The set that the table of a task file describes, for one object and reference point."""
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS | PRESETS:

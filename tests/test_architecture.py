@@ -126,6 +126,18 @@ def test_no_function_asks_for_too_much(path: Path) -> None:
             assert len(asked) <= MOST_PARAMETERS, f"{path}: {node.name} takes {len(asked)}: {', '.join(asked)}"
 
 
+def test_every_array_says_what_it_holds() -> None:
+    for package in ("planner", "sim", "scripts", "tests"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            bare = arrays_of_anything(parsed(path))
+            assert not bare or path.name == "restricted_pickle.py", f"{path}, lines {bare}: see planner/arrays.py"
+
+
+def arrays_of_anything(tree: ast.AST) -> list[int]:
+    """Lines that name NumPy's class itself, which mypy takes for an array of anything."""
+    return [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == "ndarray"]
+
+
 def test_no_test_module_imports_another() -> None:
     for path in (ROOT / "tests").rglob("test_*.py"):
         for used in imports(parsed(path)):
@@ -136,3 +148,10 @@ def test_a_circle_and_an_upward_arrow_would_be_seen() -> None:
     forces, search = floor_of("planner.forces.minimax"), floor_of("planner.search.cuts")
     assert forces is not None and search is not None and forces < search
     assert list(imports(ast.parse("def f():\n    from sim.scene import scene"))) == ["sim.scene"]
+
+
+def test_an_array_of_anything_would_be_seen() -> None:
+    assert arrays_of_anything(ast.parse("Rule = Callable[[Floats], np.ndarray]\ndef f(x: np.ndarray | None): ...")) == [
+        1,
+        2,
+    ]

@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from planner.arrays import Floats, Indices, Mask
 from planner.candidates.candidates import Candidates
 from planner.candidates.choice import make_candidates
 from planner.contact_models import models
@@ -72,10 +73,10 @@ class Pair(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
     wrench: tuple[float, ...]
 
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         return np.array([self.wrench, self.wrench]) * [[1.0], [-1.0]]
 
-    def support(self, directions: np.ndarray) -> np.ndarray:
+    def support(self, directions: Floats) -> Floats:
         return np.abs(directions @ np.array(self.wrench))
 
 
@@ -109,7 +110,7 @@ class Lower(Limits, frozen=True, kw_only=True, forbid_unknown_fields=True):
     ceiling: float = np.inf
 
 
-def below_ceiling(_: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:
+def below_ceiling(_: Graspable, candidates: Candidates, limits: Limits) -> Mask:
     return np.asarray(candidates.contacts.points[:, 2] <= getattr(limits, "ceiling", np.inf))
 
 
@@ -130,10 +131,10 @@ class Leaning:
         self.most, self.x = most, problem.contacts.points[:, 0]
         self.lower = tree.boxes(self.x[:, None])[0][:, 0]
 
-    def possible(self, rows: np.ndarray) -> np.ndarray:
+    def possible(self, rows: Indices) -> Mask:
         return np.asarray(self.lower[rows].sum(axis=1) <= self.most)
 
-    def admits(self, subsets: np.ndarray) -> np.ndarray:
+    def admits(self, subsets: Indices) -> Mask:
         return np.asarray(self.x[subsets].sum(axis=1) <= self.most)
 
     def stated(self) -> dict[str, float]:
@@ -158,10 +159,10 @@ def test_add_constraint(problem: GraspProblem, monkeypatch: pytest.MonkeyPatch) 
 class Weak(HardFinger):
     """A finger that pushes with half of what it is asked for."""
 
-    def maps(self, contacts: Contacts, reference_point: np.ndarray) -> np.ndarray:
+    def maps(self, contacts: Contacts, reference_point: Floats) -> Floats:
         return super().maps(contacts, reference_point) / 2
 
-    def forces(self, contacts: Contacts, components: np.ndarray) -> np.ndarray:
+    def forces(self, contacts: Contacts, components: Floats) -> Floats:
         return super().forces(contacts, components) / 2
 
 

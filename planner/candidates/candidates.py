@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contact_models.soft_finger import torsion_of_patch
 from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
 from planner.errors import CandidateError, ContactError
@@ -60,10 +61,10 @@ class Candidates:
     contacts: Contacts
     """Points, inward normals, friction and torsional friction, in the body frame B."""
 
-    part: np.ndarray
+    part: Indices
     """Index into the object's parts, shape (n,)."""
 
-    facet: np.ndarray
+    facet: Indices
     """Facet of that part, shape (n,)."""
 
     choice: CandidateChoice | None = None
@@ -75,11 +76,11 @@ class Candidates:
     def __len__(self) -> int:
         return len(self.part)
 
-    def subset(self, indices: np.ndarray) -> "Candidates":
+    def subset(self, indices: Indices) -> "Candidates":
         """The candidates at `indices`, shape (m,), in that order; why these is then the caller's own business."""
         return self.kept(indices, limited=None)
 
-    def kept(self, indices: np.ndarray, **how: Any) -> "Candidates":
+    def kept(self, indices: Indices, **how: Any) -> "Candidates":
         """The candidates at `indices`, shape (m,), which anyone can find again who knows how the choice says.
 
         Args:
@@ -142,7 +143,7 @@ class Candidates:
 
 
 def candidates_at(
-    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray, friction: float | None
+    rigid_object: Graspable, points: Floats, part: Indices, facet: Indices, friction: float | None
 ) -> Candidates:
     """Candidates at the surface points nearest to the given ones.
 

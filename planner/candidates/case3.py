@@ -8,6 +8,8 @@ Source: Watanabe and Yoshikawa, section 4.
 
 import numpy as np
 
+from planner.arrays import Floats
+
 UNIT = 0.01
 """One unit of the paper [m]."""
 
@@ -18,7 +20,7 @@ LAYERS = np.array([-0.8, -0.4, 0.0, 0.4, 0.8])
 LEG_CELLS, HYPOTENUSE_CELLS = 9, 11
 
 
-def case3_points() -> np.ndarray:
+def case3_points() -> Floats:
     """Faces at x = -4/3, y = -4/3 (9 x 5 each), the hypotenuse (11 x 5), bottom and top (36 each).
 
     Returns:
@@ -39,5 +41,5 @@ def case3_points() -> np.ndarray:
     return UNIT * np.concatenate(layers + caps)
 
 
-def _at_height(plane_points: np.ndarray, z: float) -> np.ndarray:
+def _at_height(plane_points: Floats, z: float) -> Floats:
     return np.column_stack([plane_points, np.full(len(plane_points), z)])

@@ -6,6 +6,7 @@ a fingertip is, is not known here.
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.candidates.grid import check_spacing, too_fine
@@ -64,7 +65,7 @@ def edge_grid(planar: PlanarObject, spacing: float, friction: float | None) -> C
     return _at(planar, edge, (number + 0.5) / cells[edge], friction)
 
 
-def _at(planar: PlanarObject, edge: np.ndarray, fraction: np.ndarray, friction: float | None) -> Candidates:
+def _at(planar: PlanarObject, edge: Indices, fraction: Floats, friction: float | None) -> Candidates:
     """Candidates at fractions of edges."""
     outline = planar.outline
     points = outline.corners[edge] + fraction[:, None] * outline.edges[edge]

@@ -7,6 +7,7 @@ over facets in an order fixed by geometry, so the same candidates come out on ev
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.farthest import farthest_points
 from planner.errors import CandidateError
@@ -51,7 +52,7 @@ def even_candidates(
 
 def _pool(
     rigid_object: RigidObject, size: int, generator: np.random.Generator, fingertip: float | None
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+) -> tuple[Floats, Indices, Indices]:
     """At least `size` exposed random points, with their parts and facets."""
     triangles, part_of, facet_of = finger_surface(rigid_object)
     points, parts, facets, found = [], [], [], 0

@@ -7,10 +7,11 @@ Source: Gonzalez, Clustering to minimize the maximum intercluster distance (1985
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.neighbour_blocks import neighbour_blocks
 
 
-def farthest_points(pool: np.ndarray, count: int) -> np.ndarray:
+def farthest_points(pool: Floats, count: int) -> Indices:
     """Indices of `count` points of the pool, the first being point 0.
 
     Args:
@@ -39,6 +40,6 @@ def farthest_points(pool: np.ndarray, count: int) -> np.ndarray:
     return chosen
 
 
-def _squared(vectors: np.ndarray) -> np.ndarray:
+def _squared(vectors: Floats) -> Floats:
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
     return x * x + y * y + z * z

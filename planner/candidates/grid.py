@@ -6,6 +6,7 @@ axis the facet's extent is cut into round(extent / spacing) cells, and the centr
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError
@@ -92,7 +93,7 @@ class _Grid:
         self.start, self.extent = in_plane.min(axis=0), np.ptp(in_plane, axis=0)
         self.cells = np.maximum(1.0, np.floor(self.extent / spacing + 0.5))
 
-    def centers(self, margin: float) -> np.ndarray:
+    def centers(self, margin: float) -> Floats:
         """Cell centres farther than `margin` inside the facet's edges, shape (n, 3) [m]."""
         along_u, along_v = (
             start + (np.arange(int(cells)) + 0.5) * extent / cells

@@ -7,6 +7,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.candidates.candidates import Candidates, candidates_at
 from planner.candidates.even import MOST_CANDIDATES
 from planner.errors import CandidateError, GraspFileError
@@ -37,10 +38,10 @@ LARGEST_FILE = 100_000_000
 class ListedPoints:
     """Points where fingers may go, and on which of the facets that meet there, where that is stated."""
 
-    points: np.ndarray
+    points: Floats
     """Shape (n, d), n >= 1 [m]."""
 
-    normals: np.ndarray | None = None
+    normals: Floats | None = None
     """Normals into the object, none of them zero, shape (n, d)."""
 
 
@@ -124,10 +125,10 @@ def grasp_points(path: Path, dimension: int = 3) -> ListedPoints:
 
 def listed_candidates(
     rigid_object: Graspable,
-    points: np.ndarray,
+    points: Floats,
     friction: float | None = None,
     tolerance: float = ON_SURFACE,
-    normals: np.ndarray | None = None,
+    normals: Floats | None = None,
 ) -> Candidates:
     """Candidates at the points of the surface nearest to given ones, each with the part, facet and normal it lies on.
 
@@ -167,8 +168,8 @@ def listed_candidates(
 
 
 def _nearby_facets(
-    rigid_object: Graspable, points: np.ndarray, stated: np.ndarray | None, step: float
-) -> Iterator[tuple[int, np.ndarray]]:
+    rigid_object: Graspable, points: Floats, stated: Floats | None, step: float
+) -> Iterator[tuple[int, Indices]]:
     """For each part that fingers may touch the facet nearest to each point, shape (n,).
 
     Where normals are stated, also the facets nearest to the points after a step [m] out along them and, in the plane,
@@ -183,15 +184,13 @@ def _nearby_facets(
             yield index, rigid_object.parts[index].nearest_facet(points + shift)
 
 
-def _misfit(
-    rigid_object: Graspable, away: np.ndarray, allowed: float, stated: np.ndarray, inward: np.ndarray
-) -> np.ndarray:
+def _misfit(rigid_object: Graspable, away: Floats, allowed: float, stated: Floats, inward: Floats) -> Floats:
     """Orders places by the turn of their normal from the stated one; those off the surface come last, shape (n,)."""
     turn = 1 - (stated * inward).sum(axis=1)
     return np.where(away <= allowed, turn, 2 + away / rigid_object.size) * rigid_object.size
 
 
-def _require_inward(points: np.ndarray, stated: np.ndarray, inward: np.ndarray) -> None:
+def _require_inward(points: Floats, stated: Floats, inward: Floats) -> None:
     wrong = np.flatnonzero((stated * inward).sum(axis=1) <= 0)
     if len(wrong):
         first = wrong[0]
@@ -203,7 +202,7 @@ def _require_inward(points: np.ndarray, stated: np.ndarray, inward: np.ndarray) 
 
 
 def _require_on_surface(
-    rigid_object: Graspable, points: np.ndarray, distance: np.ndarray, hidden: np.ndarray, tolerance: float
+    rigid_object: Graspable, points: Floats, distance: Floats, hidden: Floats, tolerance: float
 ) -> None:
     off = np.flatnonzero(distance > tolerance)
     if not len(off):

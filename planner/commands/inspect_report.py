@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
+from planner.arrays import Floats
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import confirmed_candidates
 from planner.counted import counted
@@ -155,7 +156,7 @@ def _placed(pose: Pose) -> str:
     return f"the body frame lies at {point_in_mm(pose.position)} mm in the world of the file, {turned}"
 
 
-def _spacing(points: np.ndarray) -> float:
+def _spacing(points: Floats) -> float:
     """Median distance of a point to its nearest neighbour [m]."""
     if len(points) < 2:
         return 0.0

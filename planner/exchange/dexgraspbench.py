@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.errors import GraspFileError, OutputError
 from planner.exchange.hand_grasp import HandGrasp
 from planner.exchange.restricted_pickle import read_pickled_dictionary
@@ -66,7 +67,7 @@ def _hand(record: dict[str, Any]) -> HandGrasp:
     )
 
 
-def _configuration(record: dict[str, Any], key: str) -> np.ndarray:
+def _configuration(record: dict[str, Any], key: str) -> Floats:
     """A pose and the joint positions after it, shape (7 + joints,)."""
     values = np.asarray(record[key], dtype=float)
     if values.ndim != 1 or len(values) < BASE or not np.isfinite(values).all():

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import trimesh
 
+from planner.arrays import Floats
 from planner.errors import GraspFileError
 from planner.files.atomic_write import write_atomically
 from planner.grasps.grasp import Grasp
@@ -76,14 +77,14 @@ def _add(scene: trimesh.Scene, name: str, mesh: trimesh.Trimesh, color: tuple[in
     scene.add_geometry(mesh, node_name=name, geom_name=name)
 
 
-def _from_apex(point: np.ndarray, axis: np.ndarray, height: float) -> np.ndarray:
+def _from_apex(point: Floats, axis: Floats, height: float) -> Floats:
     """Places a cone that stands on the xy plane with its apex at `point`, opening along `axis`."""
     transform = trimesh.geometry.align_vectors([0, 0, -1], axis)
     transform[:3, 3] = point + height * axis
     return transform
 
 
-def _arrow(tip: np.ndarray, force: np.ndarray, radius: float) -> trimesh.Trimesh:
+def _arrow(tip: Floats, force: Floats, radius: float) -> trimesh.Trimesh:
     """An arrow of the length of `force` that ends at `tip`."""
     length = float(np.linalg.norm(force))
     head = min(5 * radius, length)

@@ -6,7 +6,7 @@ Such grasps come from foreign files and go to foreign files. Frames: O the objec
 
 from dataclasses import dataclass
 
-import numpy as np
+from planner.arrays import Floats
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -19,19 +19,19 @@ class HandGrasp:
     object_scale: float
     """By which the source multiplies the object's mesh."""
 
-    position: np.ndarray
+    position: Floats
     """Origin of H in O, shape (3,) [m]."""
 
-    quaternion: np.ndarray
+    quaternion: Floats
     """Orientation R_OH as unit quaternion w, x, y, z, shape (4,)."""
 
     joint_names: tuple[str, ...]
     """Names of the joints; empty where the source does not name them."""
 
-    joints: np.ndarray
+    joints: Floats
     """Joint positions in the grasp, shape (joints,) [rad or m]."""
 
-    pregrasp_joints: np.ndarray
+    pregrasp_joints: Floats
     """Joint positions before it, shape (joints,) [rad or m]."""
 
     held: bool | None

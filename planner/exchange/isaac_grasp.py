@@ -13,9 +13,9 @@ Everything else (friction, forces, rho) stands under the key `rhograsp`, which t
 
 from pathlib import Path
 
-import numpy as np
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 from planner.errors import GraspFileError
 from planner.exchange.hand_grasp import HandGrasp
@@ -86,9 +86,7 @@ def write_hand(path: Path, hand: HandGrasp) -> None:
     _write(path, "object", "hand", {"grasp_0": entry}, ours)
 
 
-def _entry(
-    confidence: float, position: np.ndarray, quaternion: np.ndarray, joints: Value, pregrasp: Value
-) -> dict[str, Value]:
+def _entry(confidence: float, position: Floats, quaternion: Floats, joints: Value, pregrasp: Value) -> dict[str, Value]:
     w, *xyz = quaternion.tolist()
     return {
         "confidence": confidence,

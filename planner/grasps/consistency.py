@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import wrench_dimension
 from planner.errors import GraspFileError
 from planner.grasps.document import GraspDocument
@@ -89,7 +90,7 @@ def _check_proof_check(check: ProofCheck | None) -> None:
         raise GraspFileError(f"a share of {check.share:g} of the proof was checked in {check.seconds:g} s: edited?")
 
 
-def _agree(name: str, stated: np.ndarray, derived: np.ndarray) -> None:
+def _agree(name: str, stated: Floats, derived: Floats) -> None:
     difference = np.abs(stated - derived).max()
     if not difference <= AGREEMENT * max(1.0 if name == "gap" else 0.0, float(np.abs(derived).max())):
         raise GraspFileError(f"{name} does not agree with the rest of the file (off by {difference:.3g}): edited?")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from planner.arrays import Floats
+from planner.arrays import Floats, Indices
 from planner.candidates.candidates import CandidateChoice
 from planner.contacts import Contacts
 from planner.errors import CandidateError
@@ -77,7 +77,7 @@ class Certificate:
     candidates: Contacts
     """All n candidate contacts; a point that fingers of several kinds may touch is listed for each of them."""
 
-    cuts: np.ndarray
+    cuts: Floats
     """Directions lambda, shape (cuts, D)."""
 
     kinds: tuple[FingerKind, ...] = ()
@@ -101,14 +101,14 @@ class Certificate:
             )
 
     @property
-    def kind(self) -> np.ndarray:
+    def kind(self) -> Indices:
         """Which kind of finger each candidate is for, shape (n,)."""
         if not self.kinds:
             return np.zeros(len(self.candidates), dtype=np.int64)
         return np.repeat(np.arange(len(self.kinds)), [kind.candidates for kind in self.kinds])
 
     @property
-    def strengths(self) -> np.ndarray:
+    def strengths(self) -> Floats:
         """s_i of the finger at each candidate, shape (n,)."""
         return np.array([kind.strength for kind in self.kinds] or [1.0])[self.kind]
 
@@ -156,7 +156,7 @@ class Grasp:
     geoms: tuple[str, ...]
     """Collision geom each contact lies on."""
 
-    chosen: np.ndarray
+    chosen: Indices
     """Number of each contact among the candidates, shape (m,)."""
 
     lower_bound: float
@@ -165,10 +165,10 @@ class Grasp:
     status: Status
     """How the search ended."""
 
-    phi: np.ndarray
+    phi: Floats
     """Least force level for each wrench, shape (l,) [N]; empty without contacts."""
 
-    forces: np.ndarray
+    forces: Floats
     """Contact forces that balance each wrench, shape (l, m, d) [N]."""
 
     torques: Floats
@@ -184,7 +184,7 @@ class Grasp:
     proof_check: ProofCheck | None = None
     """What was checked of the certificate; None where it is not known, or no bound is claimed."""
 
-    center_of_mass: np.ndarray | None = None
+    center_of_mass: Floats | None = None
     """Of the object, shape (d,) [m]; None where it is not recorded."""
 
     candidate_choice: CandidateChoice | None = None

@@ -276,5 +276,5 @@ def _torques(rows: list[list[float]] | None, shape: tuple[int, int]) -> Floats:
     return np.zeros(shape) if rows is None else np.array(rows, dtype=float).reshape(shape)
 
 
-def _point(coordinates: list[float] | None) -> np.ndarray | None:
+def _point(coordinates: list[float] | None) -> Floats | None:
     return None if coordinates is None else np.array(coordinates, dtype=float)

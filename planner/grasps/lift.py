@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.grasps.grasp import Grasp
 from planner.objects.graspable import Graspable
@@ -25,12 +26,12 @@ from planner.objects.rigid_object import RigidObject
 from planner.task import Task
 
 
-def lift_vectors(vectors: np.ndarray) -> np.ndarray:
+def lift_vectors(vectors: Floats) -> Floats:
     """Points, normals or forces, shape (..., 2), as shape (..., 3)."""
     return np.concatenate([vectors, np.zeros((*vectors.shape[:-1], 1))], axis=-1)
 
 
-def lift_wrenches(wrenches: np.ndarray) -> np.ndarray:
+def lift_wrenches(wrenches: Floats) -> Floats:
     """Wrenches (f_x, f_y, m), shape (..., 3), as (f_x, f_y, 0, 0, 0, m), shape (..., 6)."""
     lifted = np.zeros((*wrenches.shape[:-1], 6))
     lifted[..., [0, 1, 5]] = wrenches

@@ -17,6 +17,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import GraspFileError
 from planner.files.bounded_read import read_bounded
 from planner.files.json_document import decode_json
@@ -69,7 +70,7 @@ def with_side_file(path: Path, content: bytes) -> GraspDocument:
         raise GraspFileError(f"{path} is not a grasp file: {error}") from error
 
 
-def _read_side_file(path: Path, sha256: str) -> dict[str, np.ndarray]:
+def _read_side_file(path: Path, sha256: str) -> dict[str, Floats]:
     content = read_bounded(path, MOST_BYTES, "side file of the grasp, which must be beside it,", GraspFileError)
     if hashlib.sha256(content).hexdigest() != sha256:
         raise GraspFileError(f"{path} is not the side file this grasp was written with; plan the grasp again")
@@ -81,7 +82,7 @@ def _read_side_file(path: Path, sha256: str) -> dict[str, np.ndarray]:
         raise GraspFileError(f"{path} is not a side file of a grasp: {error}") from error
 
 
-def _array(archive: zipfile.ZipFile, name: str) -> np.ndarray:
+def _array(archive: zipfile.ZipFile, name: str) -> Floats:
     """One array of the archive.
 
     Raises:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.candidates.candidates import Candidates
 from planner.limits.clear_path import keeps_clear
 from planner.limits.limits import Limits
@@ -12,7 +13,7 @@ from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.surface.exposure import SEAM
 
 
-def approachable(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:
+def approachable(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> Mask:
     """Whether the fingertip's way to each candidate is free, shape (n,).
 
     The fingertip is a ball of radius r that comes over a length l along the inward normal n of the contact p. Its
@@ -49,7 +50,7 @@ def _obstacles(rigid_object: Graspable, limits: Limits) -> list[Obstacle]:
     return [*obstacles(rigid_object), *below]
 
 
-def _boxes_meet(obstacle: Obstacle, starts: np.ndarray, ends: np.ndarray, radius: float) -> np.ndarray:
+def _boxes_meet(obstacle: Obstacle, starts: Floats, ends: Floats, radius: float) -> Mask:
     """Whether the bounding boxes of the ways, shape (n,), meet the obstacle's."""
     lower, upper = obstacle.bounds()
     above = (np.maximum(starts, ends) + radius >= lower).all(axis=1)

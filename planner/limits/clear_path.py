@@ -8,8 +8,7 @@ cutting-plane method for solving convex programs (1960), in one dimension.
 
 from collections.abc import Callable
 
-import numpy as np
-
+from planner.arrays import Floats
 from planner.limits.obstacles import Obstacle
 from planner.objects.vectors import norm, unit
 
@@ -17,7 +16,7 @@ MOST_TANGENTS = 60
 """Tangents drawn before a minimum so near to the level counts as below it."""
 
 
-def keeps_clear(obstacle: Obstacle, start: np.ndarray, end: np.ndarray, radius: float) -> bool:
+def keeps_clear(obstacle: Obstacle, start: Floats, end: Floats, radius: float) -> bool:
     """Whether every point of a segment is at least `radius` away from a convex set.
 
     Exact but for the rounding of nearest points, and false where undecided.

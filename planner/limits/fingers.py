@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Mask
 from planner.candidates.candidates import Candidates
 from planner.errors import CandidateError, LimitsError
 from planner.limits.geoms import on_geoms
@@ -9,7 +10,7 @@ from planner.limits.limits import Limits
 from planner.objects.graspable import Graspable
 
 
-def finger_masks(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:
+def finger_masks(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> Mask:
     """Whether each finger may use each candidate: it lies on one of the finger's geoms and in its box.
 
     Args:

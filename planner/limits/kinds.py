@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.candidates.candidates import Candidates
 from planner.errors import LimitsError
 from planner.limits.fingers import finger_masks, require_finger_count
@@ -26,10 +27,10 @@ class Kinds:
     candidates: Candidates
     """Those of the first kind, then those of the second, ..."""
 
-    of_finger: np.ndarray
+    of_finger: Indices
     """Kind of each finger, shape (fingers,)."""
 
-    def in_finger_order(self, subset: np.ndarray) -> np.ndarray:
+    def in_finger_order(self, subset: Indices) -> Indices:
         """The contact of each finger, shape (fingers,), as a place in a subset.
 
         Args:

@@ -9,6 +9,7 @@ from math import inf
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.errors import LimitsError
 from planner.limits.values import LARGEST, positive, vector
 from planner.objects.vectors import norm, unit
@@ -39,7 +40,7 @@ class Zone(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
                 "must be less than that of upper"
             )
 
-    def holds(self, points: np.ndarray) -> np.ndarray:
+    def holds(self, points: Floats) -> Mask:
         """Whether each point, shape (n, d) [m], lies in the box, shape (n,)."""
         return np.all((points >= self.lower) & (points <= self.upper), axis=1)
 
@@ -71,7 +72,7 @@ class Table(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         positive("table.clearance", self.clearance)
 
     @property
-    def up(self) -> np.ndarray:
+    def up(self) -> Floats:
         """The unit normal, shape (d,)."""
         return unit(np.array(self.normal, dtype=float))
 
@@ -154,6 +155,6 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             raise LimitsError(f"there are {len(self.fingers)} tables [[finger]]; at most {MOST_FINGERS} are allowed")
 
     @property
-    def strengths(self) -> np.ndarray:
+    def strengths(self) -> Floats:
         """Relative strength of every finger, shape (fingers,)."""
         return np.array([finger.strength for finger in self.fingers])

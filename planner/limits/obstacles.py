@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.graspable import Graspable
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.planar.outline import Outline
@@ -21,10 +22,10 @@ from planner.objects.vectors import norm
 class Obstacle(Protocol):
     """A convex set."""
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of its bounding box, shape (2, d) [m]."""
 
-    def nearest(self, point: np.ndarray) -> np.ndarray:
+    def nearest(self, point: Floats) -> Floats:
         """The point of the set nearest to `point`, shape (d,) [m]: itself where it lies inside."""
 
 
@@ -34,11 +35,11 @@ class Solid:
 
     part: ConvexPart
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """See `Obstacle.bounds`."""
         return self.part.bounds()
 
-    def nearest(self, point: np.ndarray) -> np.ndarray:
+    def nearest(self, point: Floats) -> Floats:
         """See `Obstacle.nearest`; from outside, the nearest of the nearest points of all facets."""
         if self.part.depth(point[None])[0] >= 0:
             return point
@@ -50,7 +51,7 @@ class Solid:
         return feet[norm(feet - point).argmin()]
 
     @cached_property
-    def _surface(self) -> tuple[np.ndarray, np.ndarray]:
+    def _surface(self) -> tuple[Floats, Indices]:
         """Triangles, and the numbers of the facets."""
         triangles, facets = self.part.triangles()
         return triangles, np.unique(facets)
@@ -64,12 +65,12 @@ class Edge:
 
     number: int
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """See `Obstacle.bounds`."""
         ends = self.outline.corners[self.number] + np.array([[0.0], [1.0]]) * self.outline.edges[self.number]
         return np.sort(ends, axis=0)
 
-    def nearest(self, point: np.ndarray) -> np.ndarray:
+    def nearest(self, point: Floats) -> Floats:
         """See `Obstacle.nearest`."""
         return self.outline.project(point[None], np.array([self.number]))[0][0]
 
@@ -78,17 +79,17 @@ class Edge:
 class HalfSpace:
     """The points with up . p <= height."""
 
-    up: np.ndarray
+    up: Floats
     """Unit normal, shape (d,)."""
 
     height: float
     """[m]"""
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """See `Obstacle.bounds`; no box is finite."""
         return np.array([[-np.inf], [np.inf]]) * np.ones(len(self.up))
 
-    def nearest(self, point: np.ndarray) -> np.ndarray:
+    def nearest(self, point: Floats) -> Floats:
         """See `Obstacle.nearest`."""
         return point - max(0.0, float(self.up @ point) - self.height) * self.up
 

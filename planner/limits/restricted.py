@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Mask
 from planner.candidates.candidates import Candidates
 from planner.errors import CandidateError
 from planner.limits.approach import approachable
@@ -15,7 +16,7 @@ from planner.limits.limits import Limits
 from planner.limits.table import above_table
 from planner.objects.graspable import Graspable
 
-Restriction = Callable[[Graspable, Candidates, Limits], np.ndarray]
+Restriction = Callable[[Graspable, Candidates, Limits], Mask]
 """Whether each candidate is allowed, shape (n,); all are where the limits say nothing of it."""
 
 RESTRICTIONS: dict[str, Restriction] = {

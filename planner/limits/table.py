@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Mask
 from planner.candidates.candidates import Candidates
 from planner.limits.limits import Limits, Table
 from planner.limits.obstacles import obstacles
@@ -11,7 +12,7 @@ FAR = 1e6
 """Distance of the point from which the lowest point is seen, relative to the object's size."""
 
 
-def above_table(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> np.ndarray:
+def above_table(rigid_object: Graspable, candidates: Candidates, limits: Limits) -> Mask:
     """Whether up . p >= height + clearance for each candidate, shape (n,)."""
     if limits.table is None:
         return np.ones(len(candidates), dtype=bool)

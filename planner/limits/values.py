@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import LimitsError
 
 LARGEST = 1e6
@@ -22,7 +23,7 @@ def positive(name: str, value: float) -> float:
     return value
 
 
-def vector(name: str, values: tuple[float, ...]) -> np.ndarray:
+def vector(name: str, values: tuple[float, ...]) -> Floats:
     """Two or three numbers, infinite ones included, as an array.
 
     Raises:

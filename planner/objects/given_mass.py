@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 
 
@@ -18,7 +19,7 @@ class GivenMass:
     mass: float | None = None
     """[kg]"""
 
-    center_of_mass: np.ndarray | None = None
+    center_of_mass: Floats | None = None
     """In the body frame B, shape (3,) [m]."""
 
     def __post_init__(self) -> None:

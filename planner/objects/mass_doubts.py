@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from planner.arrays import Floats
 from planner.millimetres import in_mm, point_in_mm
 from planner.objects.rigid_object import RigidObject
 
@@ -45,7 +46,7 @@ def mass_doubts(rigid_object: RigidObject) -> list[str]:
     return doubts
 
 
-def height_outside(rigid_object: RigidObject, point: np.ndarray) -> float:
+def height_outside(rigid_object: RigidObject, point: Floats) -> float:
     """Greatest height of a point, shape (3,), above a facet of the hull of all parts; zero if it lies in a part [m]."""
     if any(part.depth(point[None])[0] >= 0 for part in rigid_object.parts):
         return 0.0

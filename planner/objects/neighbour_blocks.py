@@ -4,11 +4,13 @@ import math
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
+
 SMALLEST_BLOCK = 128
 """Points per block of a small pool; large pools have blocks of a quarter of their square root, measured best."""
 
 
-def neighbour_blocks(pool: np.ndarray) -> np.ndarray:
+def neighbour_blocks(pool: Floats) -> Indices:
     """Indices of the pool's points in blocks of neighbours, shape (blocks, size); a few points appear twice.
 
     Every group is halved at the middle of its longest extent until it is small enough.

@@ -5,7 +5,7 @@ Frame: the object's body frame B, SI. d = 3 in space, 2 in the plane.
 
 from typing import Protocol
 
-import numpy as np
+from planner.arrays import Floats, Indices
 
 
 class Part(Protocol):
@@ -19,13 +19,13 @@ class Part(Protocol):
     def friction(self) -> float:
         """Sliding friction coefficient the part carries."""
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of the part's bounding box along the axes of B, shape (2, d) [m]."""
 
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+    def nearest_facet(self, points: Floats) -> Indices:
         """The facet nearest to each point that lies on or near the surface, shape (n,)."""
 
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """Nearest points of the given facets' exact surface and the inward unit normals there.
 
         Args:
@@ -36,7 +36,7 @@ class Part(Protocol):
             Surface points and inward unit normals, each of shape (n, d).
         """
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """How deep each point lies inside: positive inside, zero on the surface, negative outside [m].
 
         The sign is exact; the magnitude is a lower bound of the distance to the surface for points inside.

@@ -6,6 +6,7 @@ Doubts about mass properties are in `planner.objects.mass_doubts`.
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.millimetres import in_mm
 from planner.objects.graspable import Graspable
 
@@ -63,7 +64,7 @@ def grid_doubts(seen: Graspable, spacing: float) -> list[str]:
     ]
 
 
-def friction_doubts(friction: np.ndarray) -> list[str]:
+def friction_doubts(friction: Floats) -> list[str]:
     """Whether coefficients, shape (n,), are those of materials."""
     most = float(friction.max(initial=0))
     if most <= MOST_FRICTION:

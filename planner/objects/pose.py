@@ -8,15 +8,17 @@ from functools import cached_property
 
 import numpy as np
 
+from planner.arrays import Floats
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Pose:
     """A rigid placement: p_B = position + R_BG p_G."""
 
-    position: np.ndarray
+    position: Floats
     """Origin of G, shape (3,) [m]."""
 
-    quaternion: np.ndarray
+    quaternion: Floats
     """Rotation R_BG as a unit quaternion w, x, y, z, shape (4,)."""
 
     @classmethod
@@ -25,7 +27,7 @@ class Pose:
         return cls(position=np.zeros(3), quaternion=np.array([1.0, 0.0, 0.0, 0.0]))
 
     @cached_property
-    def rotation(self) -> np.ndarray:
+    def rotation(self) -> Floats:
         """Rotation matrix R_BG, shape (3, 3); its columns are the axes of G."""
         w, x, y, z = self.quaternion / np.sqrt((self.quaternion * self.quaternion).sum())
         return np.array(
@@ -43,21 +45,21 @@ class Pose:
         return float(2 * np.arctan2(np.linalg.norm(xyz), abs(w)))
 
     @property
-    def axis(self) -> np.ndarray:
+    def axis(self) -> Floats:
         """About which it turns by `angle`, a unit vector, shape (3,); zero without a turn."""
         w, *xyz = self.quaternion
         length = np.linalg.norm(xyz)
         return np.array(xyz) / length * np.copysign(1.0, w) if length > 0 else np.zeros(3)
 
-    def rotate(self, vectors: np.ndarray) -> np.ndarray:
+    def rotate(self, vectors: Floats) -> Floats:
         """Free vectors of G in the axes of B, shape (..., 3)."""
         return _combine(vectors, self.rotation.T)
 
-    def to_body(self, points: np.ndarray) -> np.ndarray:
+    def to_body(self, points: Floats) -> Floats:
         """Points of G in B, shape (..., 3) [m]."""
         return self.position + self.rotate(points)
 
-    def to_local(self, points: np.ndarray) -> np.ndarray:
+    def to_local(self, points: Floats) -> Floats:
         """Points of B in G, shape (..., 3) [m]."""
         return _combine(points - self.position, self.rotation)
 
@@ -79,7 +81,7 @@ class Pose:
         return Pose(position=self.to_body(child.position), quaternion=np.array(product))
 
 
-def _combine(coefficients: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _combine(coefficients: Floats, rows: Floats) -> Floats:
     """sum_k coefficients[..., k] rows[k], in a fixed order of additions."""
     x, y, z = coefficients[..., 0:1], coefficients[..., 1:2], coefficients[..., 2:3]
     return x * rows[0] + y * rows[1] + z * rows[2]

@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.objects.given_mass import GivenMass
 from planner.objects.object_source import ObjectSource
 from planner.objects.part import Part
@@ -22,7 +23,7 @@ class ConvexPart(Part, Protocol):
     def mjcf_type(self) -> str:
         """MuJoCo's name for this kind of geom."""
 
-    def triangles(self) -> tuple[np.ndarray, np.ndarray]:
+    def triangles(self) -> tuple[Floats, Indices]:
         """Triangles of the surface, shape (triangles, 3, 3) [m], and the facet of each, shape (triangles,).
 
         Exact for polyhedra; for curved parts a tessellation whose vertices lie on the surface.
@@ -48,13 +49,13 @@ class RigidObject:
     mass: float
     """Mass of the subtree [kg]."""
 
-    center_of_mass: np.ndarray
+    center_of_mass: Floats
     """Shape (3,) [m]."""
 
-    inertia: np.ndarray
+    inertia: Floats
     """Inertia tensor about the centre of mass in the axes of B, shape (3, 3) [kg m^2]."""
 
-    extent: np.ndarray
+    extent: Floats
     """Edge lengths of the collision surface's bounding box along the axes of B, shape (3,) [m]."""
 
     pose_in_file: Pose = field(default_factory=Pose.identity)
@@ -80,12 +81,12 @@ class RigidObject:
         return self.source.given
 
     @property
-    def torsions(self) -> np.ndarray:
+    def torsions(self) -> Floats:
         """Torsional friction of each part's geom, 0 where its condim has none, shape (parts,) [m]."""
         return np.array(self.torsion or np.zeros(len(self.parts)))
 
     @property
-    def touchable(self) -> np.ndarray:
+    def touchable(self) -> Mask:
         """Whether fingers may touch each part, shape (parts,)."""
         return ~np.isin(np.arange(len(self.parts)), list(self.untouchable))
 

@@ -2,13 +2,15 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 
-def norm(vectors: np.ndarray) -> np.ndarray:
+
+def norm(vectors: Floats) -> Floats:
     """Euclidean lengths over the last axis."""
     return np.sqrt((vectors * vectors).sum(axis=-1))
 
 
-def unit(vectors: np.ndarray) -> np.ndarray:
+def unit(vectors: Floats) -> Floats:
     """Unit vectors along `vectors`, shape (..., d); the first axis where one vanishes."""
     length = norm(vectors)[..., None]
     first_axis = np.eye(vectors.shape[-1])[0]

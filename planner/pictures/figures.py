@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.errors import OutputError
 from planner.files.atomic_write import write_atomically
@@ -52,7 +53,7 @@ def save_figure(path: Path, figure: "Figure") -> None:
     write_atomically(path, content.getvalue())
 
 
-def draw_outline(axes: "Axes", outline: np.ndarray, candidates: Contacts, grasp: Contacts | None, title: str) -> None:
+def draw_outline(axes: "Axes", outline: Floats, candidates: Contacts, grasp: Contacts | None, title: str) -> None:
     """A planar object with its candidates and, as arrows, the contacts of a grasp (Fig. 2, 4 and 5).
 
     Args:

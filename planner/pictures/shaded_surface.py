@@ -2,11 +2,12 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart
 
 
-def shaded_surface(part: ConvexPart) -> np.ndarray:
+def shaded_surface(part: ConvexPart) -> Floats:
     """Corners of a part's triangles with their exact outward normals, shape (3 triangles, 6)."""
     triangles, facets = part.triangles()
     corners = triangles.reshape(-1, 3)

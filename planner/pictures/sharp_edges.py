@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.vectors import unit
 
 DECIMALS = 10
@@ -11,7 +12,7 @@ SHARP = np.cos(np.deg2rad(25))
 """Edges between triangles whose normals differ less are seams of a curved or flat surface."""
 
 
-def sharp_edges(triangles: np.ndarray) -> np.ndarray:
+def sharp_edges(triangles: Floats) -> Floats:
     """Edges where the surface turns by more than 25 degrees or ends, shape (edges, 2, 3) [m].
 
     Args:

@@ -8,7 +8,7 @@ from planner.arrays import Floats, Indices
 from planner.forces.minimax import MinimaxForces
 from planner.search.problem import SearchProblem
 
-Solution = tuple[np.ndarray, float, np.ndarray]
+Solution = tuple[Floats, float, Floats]
 """Components over strengths (m, k) [N], phi [N] (infinite: none found), direction lambda (D,)."""
 
 

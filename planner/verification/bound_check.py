@@ -15,6 +15,7 @@ from itertools import chain, combinations, islice, product
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contact_models.models import free_to_turn
 from planner.errors import CandidateError
 from planner.grasps.grasp import Certificate
@@ -70,10 +71,10 @@ class Claim:
     fingers: int
     """Size m of the subsets."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, shape (d,) [m]."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Vertices of W_R, shape (l, D) [N, N m]."""
 
     bound: float
@@ -174,13 +175,13 @@ class _Check:
             rows = np.concatenate([rows, open_])
         return BoundCheck(method="groups")
 
-    def open(self, rows: np.ndarray) -> np.ndarray:
+    def open(self, rows: Indices) -> Indices:
         """The rows that keep their distances and are covered by no cut, the worst covered last."""
         rows = rows[self.groups.possible(rows, self.spacing, self.span)]
         sums = self.groups.least_sums(rows)
         return rows[np.argsort(sums)][(sums <= self.most).sum() :]
 
-    def refuted(self, method: str, row: np.ndarray) -> BoundCheck:
+    def refuted(self, method: str, row: Indices) -> BoundCheck:
         """The verdict on a row of single candidates that is open."""
         subset = tuple(sorted(self.groups.first[row].tolist()))
         weaker = 1 / float(self.groups.least_sums(row[None])[0])
@@ -200,7 +201,7 @@ def _subsets(counts: list[tuple[int, int]]) -> Iterator[tuple[int, ...]]:
     return (tuple(chain(*parts)) for parts in product(*choices))
 
 
-def _check_pairs(certificate: Certificate, table: np.ndarray, claim: Claim, stop: Callable[[], bool]) -> BoundCheck:
+def _check_pairs(certificate: Certificate, table: Floats, claim: Claim, stop: Callable[[], bool]) -> BoundCheck:
     """All pairs of contacts in space: covered by a cut, or by the moment W_R asks about their line."""
     kind, alike = certificate.kind, len(certificate.kinds) < 2  # else there is one finger of each kind
     points = certificate.candidates.points
@@ -220,7 +221,7 @@ def _check_pairs(certificate: Certificate, table: np.ndarray, claim: Claim, stop
     return BoundCheck(method="enumeration")
 
 
-def _turning(certificate: Certificate, claim: Claim, first: int, others: np.ndarray) -> np.ndarray:
+def _turning(certificate: Certificate, claim: Claim, first: int, others: Indices) -> Floats:
     """Bounds on 1 / rho of one contact paired with others, from the moment about their line, shape (others,) [1/N].
 
     A contact does at most s |v| + s gamma |omega . n| along a direction that moves it with velocity v and turns it with

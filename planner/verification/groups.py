@@ -15,6 +15,8 @@ from itertools import combinations
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
+
 NUMBERS_AT_ONCE = 2**18
 """Sums formed together: they fit a processor's cache."""
 
@@ -26,28 +28,28 @@ SMALLEST = 1e-12
 class Groups:
     """A binary tree of groups for each kind of finger, the kinds first; the halves of a group have larger numbers."""
 
-    first: np.ndarray
+    first: Indices
     """Any candidate of each group, shape (groups,)."""
 
-    size: np.ndarray
+    size: Indices
     """Candidates in each group, shape (groups,)."""
 
-    half: np.ndarray
+    half: Indices
     """First half of each group, the second is the next number; -1 for single candidates. Shape (groups,)."""
 
-    width: np.ndarray
+    width: Floats
     """Diagonal of the bounding box in (position, normal), zero for single candidates only, shape (groups,)."""
 
-    lower: np.ndarray
+    lower: Floats
     """Least coordinates of each group's points, shape (groups, d) [m]."""
 
-    upper: np.ndarray
+    upper: Floats
     """Greatest coordinates of each group's points, shape (groups, d) [m]."""
 
-    largest: np.ndarray
+    largest: Floats
     """U, shape (groups, cuts) [1/N]."""
 
-    def possible(self, rows: np.ndarray, spacing: float, span: float) -> np.ndarray:
+    def possible(self, rows: Indices, spacing: float, span: float) -> Mask:
         """Which rows may hold a subset whose contacts keep their distances, shape (rows,); exact for single ones.
 
         Args:
@@ -63,7 +65,7 @@ class Groups:
                 possible &= (np.linalg.norm(near, axis=1) <= span) & (np.linalg.norm(far, axis=1) >= spacing)
         return possible
 
-    def least_sums(self, rows: np.ndarray) -> np.ndarray:
+    def least_sums(self, rows: Indices) -> Floats:
         """min_k sum_j U_{g_j}(k) of each row, shape (rows,) [1/N]; infinite without cuts."""
         least = np.empty(len(rows))
         step = max(1, NUMBERS_AT_ONCE // max(1, self.largest.shape[1]))
@@ -75,12 +77,12 @@ class Groups:
             least[start : start + step] = sums.min(axis=1, initial=np.inf)
         return least
 
-    def subsets(self, rows: np.ndarray) -> np.ndarray:
+    def subsets(self, rows: Indices) -> Floats:
         """Subsets that each row stands for, shape (rows,): the product of binomials, exact up to rounding."""
         copy = np.tril(rows[:, :, None] == rows[:, None, :]).sum(axis=2)  # 1 for the first of a group's copies, ...
         return ((self.size[rows] - copy + 1) / copy).prod(axis=1)
 
-    def split(self, rows: np.ndarray) -> np.ndarray:
+    def split(self, rows: Indices) -> Indices:
         """Rows, shape (children, m), that together stand for the same subsets; none may be single throughout."""
         widest = np.take_along_axis(rows, self.width[rows].argmax(axis=1)[:, None], axis=1)
         is_copy = rows == widest
@@ -93,7 +95,7 @@ class Groups:
         return np.concatenate(children)
 
 
-def group_candidates(points: np.ndarray, normals: np.ndarray, counts: Sequence[int], table: np.ndarray) -> Groups:
+def group_candidates(points: Floats, normals: Floats, counts: Sequence[int], table: Floats) -> Groups:
     """Halve the candidates of each kind, and their halves, until every group is a single candidate.
 
     Args:
@@ -104,7 +106,7 @@ def group_candidates(points: np.ndarray, normals: np.ndarray, counts: Sequence[i
     """
     centred = points - points.mean(axis=0)
     places = np.hstack([centred / (np.abs(centred).max() or 1.0), normals])
-    members = np.split(np.arange(len(points)), np.cumsum(counts)[:-1])
+    members: list[Indices] = [*np.split(np.arange(len(points)), np.cumsum(counts)[:-1])]
     half = []
     for group in members:  # which grows by its halves, to 2 n - 1 groups for each kind
         half.append(len(members) if len(group) > 1 else -1)
@@ -127,7 +129,7 @@ def group_candidates(points: np.ndarray, normals: np.ndarray, counts: Sequence[i
     )
 
 
-def _halves(places: np.ndarray, group: np.ndarray) -> list[np.ndarray]:
+def _halves(places: Floats, group: Indices) -> list[Indices]:
     """A group cut in the middle of the longest side of its bounding box; where its members coincide, by count."""
     inside = places[group]
     lower, upper = inside.min(axis=0), inside.max(axis=0)

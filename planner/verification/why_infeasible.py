@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.models import free_to_turn
 from planner.counted import counted
 from planner.grasps.grasp import Grasp
@@ -18,7 +19,7 @@ SPANNED = 1e-9
 """Relative size of a singular value below which wrenches span one dimension less."""
 
 
-def hopeless_cut(grasp: Grasp) -> np.ndarray | None:
+def hopeless_cut(grasp: Grasp) -> Floats | None:
     """A direction, shape (D,), along which even all candidates together push too little; None if no cut is one."""
     if grasp.status is not Status.INFEASIBLE:
         return None

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import RhograspError
 from planner.grasps.grasp import Certificate
 from planner.search.certified import CertifiedSearch
@@ -33,7 +34,7 @@ class CertifiedRun:
     status: Status
     rho: float
     lower_bound: float
-    directions: np.ndarray
+    directions: Floats
     """The certificate, shape (cuts, D)."""
 
 

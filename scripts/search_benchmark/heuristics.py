@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.search.problem import SearchProblem
 from scripts.search_benchmark.competitors.annealing import anneal
 from scripts.search_benchmark.competitors.restarts import restart
@@ -25,10 +26,10 @@ class Trials:
     seconds: float
     """Of each seed."""
 
-    rho: np.ndarray
+    rho: Floats
     """Best found from each seed, shape (seeds,) [N]; infinite where no grasp was found."""
 
-    def excess(self, rho: float, gap: float) -> np.ndarray:
+    def excess(self, rho: float, gap: float) -> Floats:
         """rho_seed / rho - 1 of the seeds that miss rho by more than the gap, ascending."""
         excess = self.rho / rho - 1
         return np.sort(excess[excess > gap])

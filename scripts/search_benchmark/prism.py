@@ -6,6 +6,7 @@ bottom and the top those that keep the paper's distance from the hypotenuse. k =
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.case3 import CORNER, HALF_HEIGHT, HYPOTENUSE_CELLS, LAYERS, LEG, LEG_CELLS, UNIT
 from planner.contacts import Contacts
 from planner.search.problem import SearchProblem
@@ -52,11 +53,11 @@ def thinned(contacts: Contacts, step: int) -> Contacts:
     return contacts.subset(np.arange(0, len(contacts), step))
 
 
-def _centers(start: float, length: float, cells: int) -> np.ndarray:
+def _centers(start: float, length: float, cells: int) -> Floats:
     """Middles of equal cells of a segment."""
     return start + (np.arange(cells) + 0.5) * length / cells
 
 
-def _wall(x: np.ndarray, y: np.ndarray, heights: np.ndarray) -> np.ndarray:
+def _wall(x: Floats, y: Floats, heights: Floats) -> Floats:
     """Points of an upright face: its outline seen from above, at every height."""
     return np.column_stack([np.tile(x, len(heights)), np.tile(y, len(heights)), np.repeat(heights, len(x))])

@@ -12,6 +12,7 @@ from itertools import count
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.contacts import Contacts
 from planner.errors import SettingError
 from planner.files.package_versions import package_versions
@@ -39,16 +40,16 @@ class BenchOutcome:
     squeeze: float
     """Named largest force of a fingertip before the tugs [N]."""
 
-    preload: np.ndarray
+    preload: Floats
     """Constant push of each fingertip, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
 
-    translations: np.ndarray
+    translations: Floats
     """Largest displacement of the body's origin at any look, shape (simulations,) [m]."""
 
-    rotations: np.ndarray
+    rotations: Floats
     """Largest rotation at any look, shape (simulations,) [rad]."""
 
-    touching: np.ndarray
+    touching: Mask
     """Which fingertips touch the object at the end, shape (simulations, contacts)."""
 
     tip_radius: float
@@ -99,14 +100,14 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
     )
 
 
-def _simulate(scene: Scene, preload: np.ndarray, settings: BenchSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _simulate(scene: Scene, preload: Floats, settings: BenchSettings) -> tuple[Floats, Floats, Mask]:
     """Largest translations and rotations at any look, and who touches at the end."""
     simulations, look = len(settings.tugs), round(settings.check_interval / settings.timestep)
     squeezing = round(settings.squeeze_time / settings.timestep)
     last = squeezing + round(settings.tug_time / settings.timestep) * len(settings.tugs[0])
     translations, rotations, steps = np.zeros(simulations), np.zeros(simulations), count(1)
 
-    def observe(positions: np.ndarray, _: np.ndarray) -> None:
+    def observe(positions: Floats, _: Floats) -> None:
         nonlocal translations, rotations
         step = next(steps)
         if step > squeezing and ((step - squeezing) % look == 0 or step == last):
@@ -119,7 +120,7 @@ def _simulate(scene: Scene, preload: np.ndarray, settings: BenchSettings) -> tup
     return translations, rotations, final.touching
 
 
-def _loads(preload: np.ndarray, settings: BenchSettings) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def _loads(preload: Floats, settings: BenchSettings) -> Iterator[tuple[Floats, Floats]]:
     """Of every step: wrenches, shape (simulations, 6) [N, N m], and push of the fingers; a squeeze, then the tugs."""
     tugs = settings.object_mass * settings.tug_acceleration * np.array(settings.tugs, dtype=float)
     tugs = np.concatenate([tugs, np.zeros_like(tugs)], axis=2)
@@ -131,9 +132,7 @@ def _loads(preload: np.ndarray, settings: BenchSettings) -> Iterator[tuple[np.nd
             yield tugs[:, tug], preload
 
 
-def _objections(
-    translations: np.ndarray, rotations: np.ndarray, touching: np.ndarray, settings: BenchSettings
-) -> tuple[str, ...]:
+def _objections(translations: Floats, rotations: Floats, touching: Mask, settings: BenchSettings) -> tuple[str, ...]:
     """One sentence per simulation that breaks the test's rule."""
     sentences = []
     for row, tugs in enumerate(settings.tugs):

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Mask
 from sim.scene.units import WHAT_R0_IS
 from sim.trial.measurement import Measurement
 from sim.validation.beyond import Beyond
@@ -71,7 +72,7 @@ def _forces(forces: ForceAgreement) -> tuple[str, str]:
     )
 
 
-def _limited(limited: np.ndarray, held: np.ndarray, margin: float) -> list[str]:
+def _limited(limited: Mask, held: Mask, margin: float) -> list[str]:
     rows = np.flatnonzero(limited)
     if not rows.size:
         return []

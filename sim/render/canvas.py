@@ -9,6 +9,7 @@ from typing import Any, Self
 import mujoco
 import numpy as np
 
+from planner.arrays import Pixels
 from sim.render.needs import MISSING, no_opengl
 
 FONT = mujoco.mjtFontScale.mjFONTSCALE_100.value
@@ -46,7 +47,7 @@ class Canvas:
             raise no_opengl(error) from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
 
-    def draw(self, scene: mujoco.MjvScene) -> np.ndarray:
+    def draw(self, scene: mujoco.MjvScene) -> Pixels:
         """Draw a scene: red, green and blue from 0 to 255, shape (height, width, 3)."""
         self._window.make_current()
         pixels = np.empty((self._area.height, self._area.width, 3), dtype=np.uint8)
@@ -54,7 +55,7 @@ class Canvas:
         mujoco.mjr_readPixels(pixels, None, self._area, self._context)
         return pixels[::-1]  # OpenGL counts rows from the bottom
 
-    def upload(self, model: mujoco.MjModel, texture: int, pixels: np.ndarray) -> None:
+    def upload(self, model: mujoco.MjModel, texture: int, pixels: Pixels) -> None:
         """Give a texture of the model new colours, shape (height, width, 3), uint8."""
         start = int(model.tex_adr[texture])
         model.tex_data[start : start + pixels.size] = pixels.ravel()

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from sim.render.palette import INK, LINE, MUTED, SLIPPED
 from sim.render.sheet import Sheet
 from sim.scene.units import WHAT_R0_IS
@@ -28,9 +29,7 @@ class Chart:
     bottom: float
     protocol: ValidationProtocol
 
-    def draw(
-        self, sheet: Sheet, times: np.ndarray, slips: Sequence[np.ndarray], colors: Sequence[str], step: int
-    ) -> None:
+    def draw(self, sheet: Sheet, times: Floats, slips: Sequence[Floats], colors: Sequence[str], step: int) -> None:
         """Draw axes, and curves up to one step.
 
         Args:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.objects.rigid_object import RigidObject
 from sim.render.recording import Recording
 
@@ -27,22 +28,22 @@ AVERAGED = 10
 class DrawnPose:
     """Where things are drawn, in the world frame of the experiment."""
 
-    position: np.ndarray
+    position: Floats
     """Of the object, shape (3,) [m]."""
 
-    rotation: np.ndarray
+    rotation: Floats
     """Of the object, shape (3, 3)."""
 
-    tips: np.ndarray
+    tips: Floats
     """Centres of the fingertips, shape (contacts, 3) [m]."""
 
-    contacts: np.ndarray
+    contacts: Floats
     """Where the fingertips face the object, shape (contacts, 3) [m]."""
 
-    normals: np.ndarray
+    normals: Floats
     """Inward normals of the planned contacts, turned with the object, shape (contacts, 3)."""
 
-    forces: np.ndarray
+    forces: Floats
     """Measured forces on the object in the last AVERAGED steps, turned with it, shape (contacts, 3) [N]."""
 
 

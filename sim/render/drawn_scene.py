@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import SimulationError
 from planner.objects.rigid_object import RigidObject
 from sim.render.palette import BACKGROUND, OBJECT, rgba
@@ -139,7 +140,7 @@ def _add_floor(root: mjcf.RootElement, height: float, half: float) -> None:
     root.worldbody.add("geom", name="floor", type="plane", size=[half, half, 1], pos=[0, 0, height], material="floor")
 
 
-def _cone(radius: float) -> np.ndarray:
+def _cone(radius: float) -> Floats:
     """Corners of a cone of height 1, its apex at the origin, opening along -z, shape (SIDES + 1, 3)."""
     angles = np.linspace(0, 2 * np.pi, SIDES, endpoint=False)
     rim = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.full(SIDES, -1.0)])

@@ -2,13 +2,14 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 from sim.render.drawn_motion import DrawnPose
 from sim.render.load import Load
 from sim.render.proportions import ARROW, CONE_HEIGHT
 
 
-def extent(corners: np.ndarray, friction: np.ndarray, pose: DrawnPose, load: Load) -> np.ndarray:
+def extent(corners: Floats, friction: Floats, pose: DrawnPose, load: Load) -> Floats:
     """Points that bound everything that is drawn of one pose, shape (n, 3) [m].
 
     Args:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from sim.render.annotations import Annotations
 from sim.render.palette import LOAD
 from sim.render.proportions import ARC_ROD, ARROW, SHAFT
@@ -28,22 +29,22 @@ TURN_ROOM = 1.3
 class Load:
     """A wrench about the origin and where it is drawn, in world axes."""
 
-    force: np.ndarray
+    force: Floats
     """As an arrow, shape (3,) [m]."""
 
-    tip: np.ndarray
+    tip: Floats
     """End of the arrow of the full force, shape (3,) [m]."""
 
-    moment: np.ndarray
+    moment: Floats
     """Shape (3,) [N m]."""
 
-    center: np.ndarray
+    center: Floats
     """Of the arc, shape (3,) [m]."""
 
     size: float
     """Of the object [m]."""
 
-    def draw(self, annotations: Annotations, shift: np.ndarray, share: float) -> None:
+    def draw(self, annotations: Annotations, shift: Floats, share: float) -> None:
         """Draw a part of the load on an object that has moved by `shift`, shape (3,) [m]."""
         if not share > 0:
             return
@@ -53,14 +54,14 @@ class Load:
             axis = self.moment / np.linalg.norm(self.moment)
             annotations.turn(self.center + shift, axis, share, TURN * self.size, ARC_ROD * self.size, LOAD)
 
-    def points(self) -> np.ndarray:
+    def points(self) -> Floats:
         """What must be in the picture, shape (n, 3) [m]."""
         arrow = [self.tip, self.tip - self.force] if self.force.any() else []
         reach = TURN_ROOM * TURN * self.size
         arc = [self.center + step for step in reach * np.vstack([np.eye(3), -np.eye(3)])] if self.moment.any() else []
         return np.array([*arrow, *arc]).reshape(-1, 3)
 
-    def tip_at(self, share: float) -> np.ndarray:
+    def tip_at(self, share: float) -> Floats:
         """End of the arrow of a part of the force, shape (3,) [m].
 
         An arrow that points away grows from its foot, one that points at the object from its tip.
@@ -69,7 +70,7 @@ class Load:
         return self.tip - (1 - share) * self.force if away else self.tip
 
 
-def placed_load(wrench: np.ndarray, triangles: np.ndarray, back: np.ndarray, size: float) -> Load:
+def placed_load(wrench: Floats, triangles: Floats, back: Floats, size: float) -> Load:
     """Where a wrench is drawn.
 
     Args:
@@ -85,7 +86,7 @@ def placed_load(wrench: np.ndarray, triangles: np.ndarray, back: np.ndarray, siz
     return Load(force=arrow, tip=foot + arrow if away else foot, moment=moment, center=center, size=size)
 
 
-def _on_camera_side(vector: np.ndarray, triangles: np.ndarray, back: np.ndarray, gap: float) -> tuple[np.ndarray, bool]:
+def _on_camera_side(vector: Floats, triangles: Floats, back: Floats, gap: float) -> tuple[Floats, bool]:
     """A little beyond where a vector's line through the origin leaves the object on the camera's side, shape (3,) [m];
     and whether the vector points away from the object there."""
     length = float(np.linalg.norm(vector))

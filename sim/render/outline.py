@@ -6,6 +6,7 @@ measured how much of it lies inside any part: half of it where the surface is fl
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 from planner.objects.rigid_object import RigidObject
 from planner.objects.vectors import unit
@@ -21,7 +22,7 @@ MOST_EDGES = 1500
 """An object with more is not drawn with edges: they would hide it."""
 
 
-def visible_edges(rigid_object: RigidObject) -> np.ndarray:
+def visible_edges(rigid_object: RigidObject) -> Floats:
     """Edges where the union of the parts turns, shape (edges, 2, 3) [m], body frame; none if there are too many."""
     edges = np.concatenate([sharp_edges(part.triangles()[0]) for part in rigid_object.parts])
     if len(edges) > MOST_EDGES:

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from planner.arrays import Singles
+
 INK, MUTED, LINE = "#1b2733", "#64748b", "#d5dce6"
 """Words, lesser words, lines."""
 BACKGROUND, PAPER = "#f4f6f9", "#ffffff"
@@ -23,6 +25,6 @@ def rgb(color: str) -> tuple[int, int, int]:
     return red, green, blue
 
 
-def rgba(color: str, opacity: float = 1.0) -> np.ndarray:
+def rgba(color: str, opacity: float = 1.0) -> Singles:
     """A colour as MuJoCo takes it, shape (4,), from 0 to 1."""
     return np.array([*(part / 255 for part in rgb(color)), opacity], dtype=np.float32)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats, Pixels
 from planner.objects.rigid_object import RigidObject
 from sim.render.annotations import Annotations
 from sim.render.canvas import Canvas
@@ -94,7 +95,7 @@ class Panel:
         """Free the graphics card."""
         self._canvas.close()
 
-    def draw(self, step: int, simulation: int) -> tuple[np.ndarray, list[Label]]:
+    def draw(self, step: int, simulation: int) -> tuple[Pixels, list[Label]]:
         """The picture, shape (height, width, 3), and where the contacts' numbers stand."""
         pose = drawn_pose(self._recording, step, simulation, self.factor)
         share = float(self._recording.loads[step])
@@ -109,7 +110,7 @@ class Panel:
         self._draw_arrows(annotations, pose, share)
         return _shining_through(pixels, self._canvas.draw(self._scene)), self._labels(pose, placed)
 
-    def _place(self, pose: DrawnPose, triangles: np.ndarray) -> None:
+    def _place(self, pose: DrawnPose, triangles: Floats) -> None:
         """Put the object, and its shadow, where they belong; everything else is taken away."""
         drawn, data = self._drawn, self._data
         data.mocap_pos[0] = pose.position
@@ -144,7 +145,7 @@ class Panel:
                 annotations.arrow(contact, ARROW * size * force, SHAFT * size, FORCE)
         self._load.draw(annotations, pose.position, share)
 
-    def _extent(self) -> np.ndarray:
+    def _extent(self) -> Floats:
         """Points that must be in the picture, shape (n, 3) [m]: everything at the end, and where it was planned."""
         recording = self._recording
         corners, friction = self._triangles.reshape(-1, 3), recording.experiment.scene.contacts.friction
@@ -154,7 +155,7 @@ class Panel:
             points.append(extent(corners, friction, pose, self._load))
         return np.concatenate(points)
 
-    def _labels(self, pose: DrawnPose, triangles: np.ndarray) -> list[Label]:
+    def _labels(self, pose: DrawnPose, triangles: Floats) -> list[Label]:
         inside = pose.contacts + LABEL_DEPTH * self._size * pose.normals
         outside = pose.contacts - ABOVE * self._size * pose.normals
         places = self.view.pixels(inside, self.width, self.height)
@@ -165,7 +166,7 @@ class Panel:
         ]
 
 
-def _shining_through(pixels: np.ndarray, arrows: np.ndarray) -> np.ndarray:
+def _shining_through(pixels: Pixels, arrows: Pixels) -> Pixels:
     """A picture in which arrows that the object or a cone hides are faintly seen.
 
     Args:

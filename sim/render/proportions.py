@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 
 ARROW = 0.34
@@ -35,7 +36,7 @@ def arrow_head(length: float, radius: float) -> tuple[float, float]:
     return head, HEAD_RADIUS * radius * min(1.0, head / (HEAD_LENGTH * radius))
 
 
-def arc(axis: np.ndarray, share: float, size: float) -> tuple[np.ndarray, np.ndarray]:
+def arc(axis: Floats, share: float, size: float) -> tuple[Floats, Floats]:
     """Points of an arc about the origin, shape (n, 3), and the direction in which it ends, shape (3,).
 
     Args:

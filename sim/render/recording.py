@@ -11,6 +11,7 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import SettingError, SimulationError
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
@@ -44,10 +45,10 @@ class Recording:
     need: float
     """phi: the force cap that the wrench is predicted to need [N of the user]."""
 
-    coordinates: np.ndarray
+    coordinates: Floats
     """qpos before every step and after the last, shape (steps + 1, simulations, nq)."""
 
-    readings: np.ndarray
+    readings: Floats
     """What the contact sensors read during every step, shape (steps, simulations, contacts, SENSOR_WIDTH)."""
 
     measurement: Measurement
@@ -59,12 +60,12 @@ class Recording:
         return len(self.readings)
 
     @property
-    def times(self) -> np.ndarray:
+    def times(self) -> Floats:
         """Time at the end of every step, shape (steps,) [s]."""
-        return np.arange(1, self.steps + 1) * self.experiment.protocol.timestep
+        return np.arange(1.0, self.steps + 1) * self.experiment.protocol.timestep
 
     @property
-    def loads(self) -> np.ndarray:
+    def loads(self) -> Floats:
         """Part of the wrench of the task that acts during every step, shape (steps,); see sim/trial/schedule.py."""
         return fractions(self.experiment.protocol)[: self.steps, 1]
 
@@ -82,7 +83,7 @@ class Recording:
             for cap, held, slip in zip(measured.caps, measured.held, measured.slip, strict=True)
         ]
 
-    def motion(self, simulation: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def motion(self, simulation: int) -> tuple[Floats, Floats, Floats]:
         """Where everything was before each step: positions, shape (steps, 3) [m], and rotations (w, x, y, z), shape
         (steps, 4), of the object, and the fingertips' displacements, shape (steps, contacts, 3) [m]."""
         joints = self.experiment.scene.joints
@@ -107,7 +108,7 @@ class Recording:
         )
         return measure(scene, repeated, states, 1 / self.experiment.units.force, protocol)
 
-    def forces(self, step: int, simulation: int) -> np.ndarray:
+    def forces(self, step: int, simulation: int) -> Floats:
         """Measured forces of the fingers on the object during one step, in world axes, shape (contacts, 3) [N].
 
         The sensors read in contact frames. MuJoCo finds contacts where the bodies are before the step, and finds the
@@ -180,7 +181,7 @@ def record(
     trial = experiment.active(np.repeat(grasp.task.wrenches[[shown]], len(caps), axis=0), caps)
     coordinates, readings = [np.tile(experiment.scene.model.qpos0, (len(caps), 1))], []
 
-    def keep(positions: np.ndarray, sensors: np.ndarray) -> None:
+    def keep(positions: Floats, sensors: Floats) -> None:
         coordinates.append(positions.copy())
         readings.append(sensors.copy())
 

@@ -3,6 +3,7 @@
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
+from planner.arrays import Floats, Pixels
 from sim.render.palette import BACKGROUND, rgb
 
 SLANT = np.array([0.12, -0.06])
@@ -15,12 +16,12 @@ TINT = "#3b4a5e"
 """Its colour where it would be black."""
 
 
-def fallen(points: np.ndarray, floor: float) -> np.ndarray:
+def fallen(points: Floats, floor: float) -> Floats:
     """Where the shadows of points, shape (..., 3), fall on the floor, shape (..., 2) [m]."""
     return points[..., :2] + SLANT * (points[..., 2:] - floor)
 
 
-def soft_shadow(triangles: np.ndarray, floor: float, half: float, pixels: int) -> np.ndarray:
+def soft_shadow(triangles: Floats, floor: float, half: float, pixels: int) -> Pixels:
     """The floor's texture.
 
     Args:

@@ -2,11 +2,13 @@
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
+
 EDGE = 1e-9
 """How far, relative to a triangle, a ray may miss it and still hit: rays through shared edges must not slip between."""
 
 
-def ray_hits(triangles: np.ndarray, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+def ray_hits(triangles: Floats, origins: Floats, directions: Floats) -> Floats:
     """Distances t at which rays o + t d meet triangles, infinite where they do not.
 
     In the triangle (a, b, c) the point is a + u (b - a) + v (c - a); (t, u, v) is solved by Cramer's rule (Möller and
@@ -33,13 +35,14 @@ def ray_hits(triangles: np.ndarray, origins: np.ndarray, directions: np.ndarray)
     return np.where(inside, t, np.inf)
 
 
-def open_to(triangles: np.ndarray, points: np.ndarray, direction: np.ndarray) -> np.ndarray:
+def open_to(triangles: Floats, points: Floats, direction: Floats) -> Mask:
     """Whether nothing lies between each point, shape (points, 3), and a far eye in one direction, shape (points,)."""
     hits = ray_hits(triangles, points, np.broadcast_to(direction, points.shape))
-    return ~((hits > 0) & np.isfinite(hits)).any(axis=1)
+    nearest = np.where(hits > 0, hits, np.inf).min(axis=1, initial=np.inf)
+    return np.isinf(nearest)
 
 
-def exit_distance(triangles: np.ndarray, point: np.ndarray, direction: np.ndarray) -> float:
+def exit_distance(triangles: Floats, point: Floats, direction: Floats) -> float:
     """How far from a point a ray leaves the object for good [m]; zero where it does not meet it."""
     hits = ray_hits(triangles, point[None], direction[None])
     return float(np.where(np.isfinite(hits), hits, 0.0).max(initial=0.0))

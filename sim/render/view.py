@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from sim.render.sight import open_to
 
@@ -30,14 +31,14 @@ class View:
     elevation: float
     """How far the direction of sight points down [degrees]."""
 
-    target: np.ndarray
+    target: Floats
     """Shape (3,) [m]."""
 
     distance: float
     """From the target [m]."""
 
     @property
-    def axes(self) -> np.ndarray:
+    def axes(self) -> Floats:
         """Rows: to the right, up and towards the camera, shape (3, 3)."""
         azimuth, elevation = np.deg2rad([self.azimuth, self.elevation])
         right = np.array([np.sin(azimuth), -np.cos(azimuth), 0.0])
@@ -51,13 +52,13 @@ class View:
         camera.lookat[:], camera.distance = self.target, self.distance
         return camera
 
-    def pixels(self, points: np.ndarray, width: int, height: int) -> np.ndarray:
+    def pixels(self, points: Floats, width: int, height: int) -> Floats:
         """Where points, shape (n, 3) [m], are seen in a picture: columns and rows, shape (n, 2)."""
         right, up, back = self.axes @ (points - self.target).T
         scale = height / 2 / np.tan(np.deg2rad(FIELD) / 2) / (self.distance - back)
         return np.column_stack([width / 2 + scale * right, height / 2 - scale * up])
 
-    def fitted(self, points: np.ndarray, aspect: float) -> "View":
+    def fitted(self, points: Floats, aspect: float) -> "View":
         """The same direction, with all points just in a picture of this width over height.
 
         A point seen at (x, y) across and z towards the camera is in the picture when |x| <= (distance - z) tan(half
@@ -76,7 +77,7 @@ class View:
         return replace(self, target=target, distance=distance)
 
 
-def best_direction(triangles: np.ndarray, contacts: Contacts) -> tuple[float, float]:
+def best_direction(triangles: Floats, contacts: Contacts) -> tuple[float, float]:
     """Azimuth and elevation from which most of the contacts are seen, and their arrows from the side.
 
     Args:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.files.json_document import finite_or_none
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import ConvexPart, RigidObject
@@ -93,12 +94,12 @@ def _contacts(grasp: Grasp) -> list[dict[str, Any]]:
     return [dict(zip(names, values, strict=True)) for values in zip(*columns, strict=True)]
 
 
-def _edges(part: ConvexPart) -> np.ndarray:
+def _edges(part: ConvexPart) -> Floats:
     """Ends of a part's visible edges, with a normal that does not matter, shape (2 edges, 6)."""
     ends = sharp_edges(part.triangles()[0]).reshape(-1, 3)
     return np.hstack([ends, np.tile([0.0, 0.0, 1.0], (len(ends), 1))])
 
 
-def _packed(vertices: np.ndarray) -> str:
+def _packed(vertices: Floats) -> str:
     """Single precision, little endian, base 64: what the page hands to the graphics card."""
     return base64.b64encode(vertices.astype("<f4").tobytes()).decode()

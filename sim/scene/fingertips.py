@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.arrays import Mask
 from planner.contacts import Contacts
 from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.physics import Physics
@@ -50,7 +51,7 @@ class Fingertips:
     torsion: float = 0.0
     """Torsional friction [m]."""
 
-    spared: np.ndarray | None = None
+    spared: Mask | None = None
     """Geoms of the object that a fingertip never touches, shape (contacts, geoms); None: it may touch all."""
 
     def attach(self, root: mjcf.RootElement, object_geoms: Sequence[mjcf.Element], physics: Physics) -> None:

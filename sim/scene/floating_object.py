@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.rigid_object import ConvexPart
 from sim.scene.dm_control_mjcf import mjcf
 from sim.scene.object_joints import FreeJoint, ObjectJoints
@@ -28,10 +29,10 @@ class FloatingObject:
     mass: float
     """[kg]"""
 
-    center_of_mass: np.ndarray
+    center_of_mass: Floats
     """Where external forces act, in the units of the scene, shape (3,) [m]."""
 
-    inertia: np.ndarray
+    inertia: Floats
     """About the centre of mass, shape (3, 3) [kg m^2]."""
 
     joints: ObjectJoints = field(default_factory=FreeJoint)
@@ -41,7 +42,7 @@ class FloatingObject:
     """Against its motion [N s/m]; against its rotation that times the square of its radius of gyration."""
 
     @property
-    def damping(self) -> np.ndarray:
+    def damping(self) -> Floats:
         """Of each of its joints, shape (velocities,) [N s/m, N m s]."""
         turning = np.trace(self.inertia) / (3 * self.mass)
         along = np.arange(self.joints.velocities) < self.joints.translations

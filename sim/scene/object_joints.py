@@ -5,6 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.rigid_object import RigidObject
 from sim.scene.dm_control_mjcf import mjcf
 
@@ -27,7 +28,7 @@ class ObjectJoints(Protocol):
     def add_to(self, body: mjcf.Element) -> None:
         """Give the joints to the object's body, which stands at the origin."""
 
-    def pose(self, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def pose(self, qpos: Floats) -> tuple[Floats, Floats]:
         """Position, shape (n, 3) [m], and rotation (w, x, y, z), shape (n, 4), from qpos, shape (n, nq)."""
 
 
@@ -43,7 +44,7 @@ class FreeJoint:
         """See `ObjectJoints`."""
         body.add("freejoint")
 
-    def pose(self, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def pose(self, qpos: Floats) -> tuple[Floats, Floats]:
         """See `ObjectJoints`."""
         return qpos[:, :3].copy(), qpos[:, 3:7].copy()
 
@@ -61,7 +62,7 @@ class PlanarJoints:
         for kind, axis in (("slide", (1, 0, 0)), ("slide", (0, 1, 0)), ("hinge", (0, 0, 1))):
             body.add("joint", type=kind, axis=axis)
 
-    def pose(self, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def pose(self, qpos: Floats) -> tuple[Floats, Floats]:
         """See `ObjectJoints`."""
         zero, half = np.zeros(len(qpos)), qpos[:, 2] / 2
         position = np.column_stack([qpos[:, 0], qpos[:, 1], zero])

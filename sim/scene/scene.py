@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from sim.scene.dm_control_mjcf import mjcf
@@ -30,10 +31,10 @@ class Scene:
     object_body: int
     """Body id of the object."""
 
-    object_geoms: np.ndarray
+    object_geoms: Indices
     """Geom ids of the object's parts, shape (parts,)."""
 
-    tip_geoms: np.ndarray
+    tip_geoms: Indices
     """Geom ids of the fingertips, shape (contacts,)."""
 
     tip_radius: float
@@ -74,7 +75,7 @@ def build_scene(held: FloatingObject, fingertips: Fingertips, physics: Physics) 
     )
 
 
-def with_friction(scene: Scene, friction: np.ndarray) -> Scene:
+def with_friction(scene: Scene, friction: Floats) -> Scene:
     """The same scene with other friction coefficients, shape (contacts,).
 
     Raises:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.millimetres import in_mm
 from planner.objects.mjcf.touch import CLEARANCE, ON_SURFACE, SAME_NORMAL, TouchProbe, all_round
 from sim.scene.scene import Scene
@@ -21,17 +22,17 @@ EQUAL = 1e-9
 class StaticCheck:
     """Distances of the fingertips to the object in the planned pose, in the user's metres."""
 
-    distances: np.ndarray
+    distances: Floats
     """Signed distance of each fingertip to the nearest part, shape (contacts,) [m]; negative inside."""
 
-    touches: np.ndarray
+    touches: Indices
     """Number of surfaces each fingertip touches or will touch under load, shape (contacts,); parts that go on with the
     planned surface, as coincident and coplanar ones do, count as one with it."""
 
-    turns: np.ndarray
+    turns: Floats
     """Angle between each planned normal and the nearest one of what is touched, shape (contacts,) [rad]."""
 
-    spared: np.ndarray
+    spared: Mask
     """Parts that only go on with the surface each fingertip touches, shape (contacts, parts): the contact of the union
     is with one part, two would press twice."""
 
@@ -89,7 +90,7 @@ def check_touch(scene: Scene, size: float, length: float) -> StaticCheck:
     )
 
 
-def _drop_off(probe: TouchProbe, scene: Scene) -> np.ndarray:
+def _drop_off(probe: TouchProbe, scene: Scene) -> Floats:
     """How far each part falls off around each contact, shape (contacts, parts); least for the one that goes on.
 
     The fingertips are put aside by the clearance, all round; rounded so that equal parts are equal.

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 
@@ -20,7 +21,7 @@ WHAT_R0_IS = "the largest distance of a contact from the reference point"
 class Units:
     """Map from the body frame in SI to the experiment: same axes, origin at p_o, its own metre and newton."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, shape (3,) [m]."""
 
     length: float
@@ -29,11 +30,11 @@ class Units:
     force: float
     """Newtons of the experiment per newton."""
 
-    def points(self, points: np.ndarray) -> np.ndarray:
+    def points(self, points: Floats) -> Floats:
         """Map positions, shape (..., 3)."""
         return (points - self.reference_point) * self.length
 
-    def wrenches(self, wrenches: np.ndarray) -> np.ndarray:
+    def wrenches(self, wrenches: Floats) -> Floats:
         """Map wrenches about p_o, shape (..., 6)."""
         return wrenches * self.force * np.repeat([1.0, self.length], 3)
 
@@ -42,7 +43,7 @@ class Units:
         return replace(contacts, points=self.points(contacts.points))
 
 
-def units_of(contacts: Contacts, reference_point: np.ndarray, rho: float, reach: float) -> Units:
+def units_of(contacts: Contacts, reference_point: Floats, rho: float, reach: float) -> Units:
     """The map under which the farthest contact is `reach` from the origin and rho is one newton.
 
     Raises:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.errors import SimulationError
 from planner.files.package_versions import package_versions
 from planner.forces.squeeze import SqueezeNeed, squeeze_need
@@ -80,7 +81,7 @@ class SqueezeForce:
 def measure_squeeze_force(
     grasp: LoadedGrasp,
     protocol: ValidationProtocol = SQUEEZE,
-    simulated_friction: np.ndarray | None = None,
+    simulated_friction: Floats | None = None,
     observe: Observe = lambda *_: None,
 ) -> SqueezeForce:
     """Predict and measure what the grasp needs when its forces do not adapt.
@@ -119,9 +120,10 @@ def _bisected(experiment: Experiment, need: SqueezeNeed, observe: Observe) -> tu
     A wrench that holds at one scale holds at every larger one, so each halving runs only those that slipped.
     """
     lower, upper, critical = 1 - SPAN, 1 + SPAN, None
-    suspects, finished, rounds = np.arange(len(experiment.grasp.wrenches)), 0, 2 + HALVINGS
+    suspects: Indices = np.arange(len(experiment.grasp.wrenches))
+    finished, rounds = 0, 2 + HALVINGS
 
-    def test(scale: float) -> tuple[np.ndarray, int | None]:
+    def test(scale: float) -> tuple[Indices, int | None]:
         nonlocal finished, rounds
         before, expected = finished, finished + rounds * len(suspects)
         finished, rounds = finished + len(suspects), rounds - 1
@@ -147,10 +149,10 @@ def _bisected(experiment: Experiment, need: SqueezeNeed, observe: Observe) -> tu
 def _slipped(
     experiment: Experiment,
     need: SqueezeNeed,
-    rows: np.ndarray,
+    rows: Indices,
     scale: float,
     observe: Done,
-) -> tuple[np.ndarray, int | None]:
+) -> tuple[Indices, int | None]:
     """Which of the wrenches at `rows` are not held with the preload scaled, and the one that slips most."""
     units, protocol = experiment.units, experiment.protocol
     preload = np.repeat(scale * units.force * need.preload[None], len(rows), axis=0)

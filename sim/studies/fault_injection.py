@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, contact_frames
 from planner.forces.cvxpy_forces import CvxpyForces
 from planner.forces.problem import ForceProblem
@@ -20,9 +21,9 @@ from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.trial import Trial
 from sim.validation.critical_force import CriticalForce, bisect_caps
 
-Belief = Callable[[np.ndarray, float], np.ndarray]
+Belief = Callable[[Floats, float], Floats]
 """From the true wrenches, shape (l, 6) [N, N m], and R0 [m] to the believed ones."""
-Prediction = Callable[[Contacts, np.ndarray, np.ndarray], np.ndarray]
+Prediction = Callable[[Contacts, Floats, Floats], Floats]
 """Contacts, reference point and wrenches to phi, as `predicted_caps`."""
 
 OFFSET = 0.05 * np.array([1.0, 1.0, 1.0]) / np.sqrt(3)
@@ -52,10 +53,10 @@ class InjectedFault:
 class MisledExperiment(Experiment):
     """An experiment whose fingers answer wrenches other than those that come."""
 
-    believed: Callable[[np.ndarray], np.ndarray]
+    believed: Callable[[Floats], Floats]
     """From the true wrenches to the believed ones, shape (l, 6) [N, N m]."""
 
-    def active(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+    def active(self, wrenches: Floats, caps: Floats) -> Trial:
         """Forces for what is believed, wrenches as they are."""
         trial = super().active(self.believed(wrenches), caps)
         return replace(trial, wrenches=self.units.wrenches(wrenches))
@@ -66,7 +67,7 @@ class PyramidForces(CvxpyForces):
 
     sides: int
 
-    def tangent_map(self, normal: np.ndarray) -> np.ndarray:
+    def tangent_map(self, normal: Floats) -> Floats:
         """Distances from the polygon's sides: outward normals of the sides in the tangent plane, shape (sides, 3)."""
         angles = 2 * np.pi * np.arange(self.sides) / self.sides
         tangents = contact_frames(normal[None])[0, :, 1:]
@@ -92,7 +93,7 @@ class OctagonForces(PyramidForces):
 
 
 def _by(forces: type[PyramidForces]) -> Prediction:
-    def predict(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+    def predict(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
         solver = forces(len(contacts), contacts.dimension)
         problems = [ForceProblem(contacts=contacts, reference_point=reference_point, wrench=each) for each in wrenches]
         return np.array([solver.solve(problem).phi for problem in problems])
@@ -100,11 +101,11 @@ def _by(forces: type[PyramidForces]) -> Prediction:
     return predict
 
 
-def _about_a_wrong_point(wrenches: np.ndarray, radius: float) -> np.ndarray:
+def _about_a_wrong_point(wrenches: Floats, radius: float) -> Floats:
     return np.hstack([wrenches[:, :3], wrenches[:, 3:] - np.cross(radius * OFFSET, wrenches[:, :3])])
 
 
-def _with_moments_reversed(wrenches: np.ndarray, _: float) -> np.ndarray:
+def _with_moments_reversed(wrenches: Floats, _: float) -> Floats:
     return wrenches * np.repeat([1.0, -1.0], 3)
 
 

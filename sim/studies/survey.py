@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
 from planner.errors import SimulationError
@@ -163,14 +164,14 @@ def tally(
     ]
 
 
-def _worst(slips: np.ndarray, *, above: bool) -> float:
+def _worst(slips: Floats, *, above: bool) -> float:
     """The slip nearest to the threshold."""
     return float(slips.max(initial=0.0) if above else slips.min(initial=np.inf))
 
 
 def _outcomes(
     grasps: Sequence[LoadedGrasp], factors: Sequence[float], protocol: ValidationProtocol
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+) -> Iterator[tuple[Mask, Floats]]:
     """Held and slip of every wrench of each grasp, each of shape (factors, wrenches)."""
     for grasp in grasps:
         scaled = grasp.wrenches * (grasp.rho / grasp.phi)[:, None]

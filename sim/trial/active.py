@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, grasp_maps
 from sim.scene.units import Units
 from sim.trial.feed_forward import FeedForward
@@ -10,7 +11,7 @@ from sim.trial.trial import Trial
 
 
 def active_trial(
-    contacts: Contacts, units: Units, wrenches: np.ndarray, caps: np.ndarray, protocol: ValidationProtocol
+    contacts: Contacts, units: Units, wrenches: Floats, caps: Floats, protocol: ValidationProtocol
 ) -> Trial:
     """A trial whose forces answer each wrench within its cap with the least friction utilisation.
 

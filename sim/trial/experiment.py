@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.models import model_of
 from planner.objects.rigid_object import ConvexPart
 from planner.progress import Done
@@ -40,7 +41,7 @@ class Experiment:
     static: StaticCheck
     """Whether the fingertips touch what was planned; what is measured means nothing otherwise."""
 
-    def measure(self, wrenches: np.ndarray, caps: np.ndarray, observe: Done = lambda _: None) -> Measurement:
+    def measure(self, wrenches: Floats, caps: Floats, observe: Done = lambda _: None) -> Measurement:
         """Run all simulations, the forces answering each wrench within its cap.
 
         They run in batches of at most MOST_SIMULATIONS: the memory is bounded and the progress can be told.
@@ -60,7 +61,7 @@ class Experiment:
             parts.append(self.perform(trial, _after(start, observe)))
         return Measurement.joined(parts)
 
-    def active(self, wrenches: np.ndarray, caps: np.ndarray) -> Trial:
+    def active(self, wrenches: Floats, caps: Floats) -> Trial:
         """The trial in which the forces answer each wrench within its cap; see `measure`."""
         return active_trial(self.grasp.contacts, self.units, wrenches, caps, self.protocol)
 
@@ -77,7 +78,7 @@ class Experiment:
         final = run(self.scene, trial, self.protocol, each_step(observe, len(trial.caps), steps(self.protocol)))
         return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
 
-    def with_friction(self, friction: np.ndarray) -> "Experiment":
+    def with_friction(self, friction: Floats) -> "Experiment":
         """The same experiment with other friction in the simulator, shape (contacts,).
 
         Raises:
@@ -94,7 +95,7 @@ def _after(before: int, observe: Done) -> Done:
 def set_up(
     grasp: LoadedGrasp,
     protocol: ValidationProtocol,
-    friction: np.ndarray | None = None,
+    friction: Floats | None = None,
     newton: float | None = None,
 ) -> Experiment:
     """Compose and compile the scene with the largest fingertips that touch only where planned.

@@ -10,6 +10,7 @@ k r), the least k is the root of phi(w, k r) = cap. The variables are f_i / s_i,
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, contact_frames, grasp_maps
 from planner.forces.minimax import MinimaxForces
 
@@ -34,7 +35,7 @@ ROUND_OFF = 1e-12
 class FeedForward:
     """Least-utilisation forces of one grasp. Not for several threads at once."""
 
-    def __init__(self, contacts: Contacts, reference_point: np.ndarray) -> None:
+    def __init__(self, contacts: Contacts, reference_point: Floats) -> None:
         """
         Args:
             contacts: The grasp; only the ratios of its friction coefficients are used.
@@ -46,7 +47,7 @@ class FeedForward:
         self.length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
         self._solver = MinimaxForces(len(contacts), contacts.dimension)
 
-    def forces(self, wrench: np.ndarray, cap: float) -> np.ndarray:
+    def forces(self, wrench: Floats, cap: float) -> Floats:
         """Forces that answer `wrench`.
 
         Where no friction whatever balances it within the cap, the best effort: the forces of the least
@@ -64,7 +65,7 @@ class FeedForward:
             forces = forces * (cap / phi) if np.isfinite(phi) else np.zeros_like(forces)
         return self._in_body_axes(forces)
 
-    def internal_force(self, cap: float) -> np.ndarray:
+    def internal_force(self, cap: float) -> Floats:
         """Forces that balance each other with little utilisation, the largest over its strength equal to `cap`.
 
         The fingers press along every normal, each with its strength, and answer their own press within PRESS
@@ -87,7 +88,7 @@ class FeedForward:
         forces = press + answer
         return self._in_body_axes(forces * (cap / float(np.linalg.norm(forces, axis=1).max())))
 
-    def _least_utilisation(self, wrench: np.ndarray, cap: float) -> tuple[np.ndarray, float]:
+    def _least_utilisation(self, wrench: Floats, cap: float) -> tuple[Floats, float]:
         """Forces over strengths in contact frames, and their largest norm: above the cap only if no friction helps.
 
         Finds the friction angle where cap / phi - 1 changes sign (it is -1 where no forces exist) by the
@@ -114,10 +115,10 @@ class FeedForward:
                 kept = -1
         return best
 
-    def _in_body_axes(self, forces: np.ndarray) -> np.ndarray:
+    def _in_body_axes(self, forces: Floats) -> Floats:
         return np.einsum("ide,ie->id", self.frames, forces)
 
-    def _solve(self, wrench: np.ndarray, angle: float) -> tuple[np.ndarray, float]:
+    def _solve(self, wrench: Floats, angle: float) -> tuple[Floats, float]:
         """Forces over strengths of least largest norm at one friction angle, and that norm; infinite if none exist."""
         forces, phi, _ = self._solver.solve_arrays(self.maps, np.tan(angle) * self.ratios, wrench, self.length)
         return forces, phi

@@ -10,11 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
+
 TINY = 1e-300
 """Keeps 0 / 0 out of the saturation of a zero force [N]."""
 
 
-def saturated(forces: np.ndarray, caps: np.ndarray) -> np.ndarray:
+def saturated(forces: Floats, caps: Floats) -> Floats:
     """Forces shortened to the cap where they exceed it.
 
     Args:
@@ -52,9 +54,7 @@ class FingerLaw:
         """Damping D of a fingertip, 2 zeta sqrt(K m) [N s/m]."""
         return 2 * self.damping_ratio * float((self.stiffness * self.tip_mass) ** 0.5)
 
-    def forces(
-        self, feed_forward: np.ndarray, displacements: np.ndarray, velocities: np.ndarray, caps: np.ndarray
-    ) -> np.ndarray:
+    def forces(self, feed_forward: Floats, displacements: Floats, velocities: Floats, caps: Floats) -> Floats:
         """Force on every fingertip.
 
         Args:

@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from planner.grasps.grasp import Grasp
@@ -28,13 +29,13 @@ class LoadedGrasp:
     contacts: Contacts
     """In the body frame, SI, with the planned friction and the fingers' strengths."""
 
-    reference_point: np.ndarray
+    reference_point: Floats
     """p_o, shape (3,) [m]."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Vertices of W_R about p_o, shape (wrenches, 6) [N, N m]."""
 
-    phi: np.ndarray
+    phi: Floats
     """Predicted cap of every wrench, shape (wrenches,) [N]; infinite where no forces balance it."""
 
     def __post_init__(self) -> None:
@@ -74,7 +75,7 @@ class LoadedGrasp:
         """Index of the wrench that decides rho."""
         return int(self.phi.argmax())
 
-    def friction_limited(self, margin: float) -> np.ndarray:
+    def friction_limited(self, margin: float) -> Mask:
         """Which wrenches need more than this part of the friction whatever the cap, shape (wrenches,)."""
         return on_friction_limit(self.contacts, self.reference_point, self.wrenches, margin)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.contact_models.friction_cone import components, utilisation
 from sim.scene.scene import Scene
 from sim.trial.final_state import FinalState
@@ -16,44 +17,44 @@ from sim.trial.trial import Trial
 class Measurement:
     """Outcome per simulation. Lengths are relative to R0, the reach of the grasp; forces are the user's."""
 
-    caps: np.ndarray
+    caps: Floats
     """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
 
-    slips: np.ndarray
+    slips: Floats
     """Sliding of each fingertip along the object's surface over R0, shape (simulations, contacts)."""
 
-    separations: np.ndarray
+    separations: Floats
     """Distance of each fingertip from where it touched, along the outward normal, over R0, same shape."""
 
-    translations: np.ndarray
+    translations: Floats
     """Displacement of the object at the reference point over R0, shape (simulations,)."""
 
-    rotations: np.ndarray
+    rotations: Floats
     """Rotation of the object, shape (simulations,) [rad]."""
 
-    predicted_forces: np.ndarray
+    predicted_forces: Floats
     """Norms of the commanded contact forces, shape (simulations, contacts) [N]."""
 
-    measured_forces: np.ndarray
+    measured_forces: Floats
     """Norms of the contact forces MuJoCo reports, shape (simulations, contacts) [N]."""
 
-    predicted_utilisations: np.ndarray
+    predicted_utilisations: Floats
     """|f_t| / f_n of the commanded contact forces, shape (simulations, contacts); zero where not loaded."""
 
-    measured_utilisations: np.ndarray
+    measured_utilisations: Floats
     """|f_t| / f_n of the contact forces MuJoCo reports, same shape; zero where not loaded."""
 
-    loaded: np.ndarray
+    loaded: Mask
     """Fingers that carry enough to be judged, shape (simulations, contacts)."""
 
-    lost: np.ndarray
+    lost: Mask
     """Loaded fingers that touch nothing, shape (simulations, contacts)."""
 
-    held: np.ndarray
+    held: Mask
     """Whether each simulation held its wrench, shape (simulations,)."""
 
     @property
-    def slip(self) -> np.ndarray:
+    def slip(self) -> Floats:
         """Largest slip of a loaded finger over R0, shape (simulations,); zero where none is loaded."""
         return np.where(self.loaded, self.slips, 0.0).max(axis=1)
 
@@ -108,7 +109,7 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
     )
 
 
-def _unrotated(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+def _unrotated(quaternions: Floats, vectors: Floats) -> Floats:
     """R^T v for unit quaternions, shape (n, 4), and vectors, shape (n, m, 3)."""
     scalar, axis = quaternions[:, None, :1], -quaternions[:, None, 1:]
     turned = np.cross(axis, vectors)

@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.contacts import Contacts, contact_frames, grasp_maps
 from planner.forces.minimax import MinimaxForces
 
 
-def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+def predicted_caps(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
     """phi of every wrench: the least force level that balances it within the friction cones, |f_i| <= s_i phi.
 
     Args:
@@ -26,9 +27,7 @@ def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np
     return np.array([solver.solve_arrays(maps, contacts.friction, wrench, length)[1] for wrench in wrenches])
 
 
-def on_friction_limit(
-    contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray, margin: float
-) -> np.ndarray:
+def on_friction_limit(contacts: Contacts, reference_point: Floats, wrenches: Floats, margin: float) -> Mask:
     """Which wrenches need more than `margin` of the friction whatever the cap: no measurement can decide these.
 
     Args:

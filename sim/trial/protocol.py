@@ -7,8 +7,7 @@ sim/trial/force_law.py.
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
+from planner.arrays import Mask
 from planner.objects.mjcf.touch import CLEARANCE, ON_SURFACE
 from sim.scene.physics import Physics
 from sim.trial.final_state import FinalState
@@ -102,7 +101,7 @@ class ValidationProtocol(Physics, FingerLaw):
     creep_tolerance: float = 2e-5
     """Largest slip of fingers that only squeeze, relative to the reach: a fifth of what a slip is."""
 
-    def lost(self, state: FinalState) -> np.ndarray:
+    def lost(self, state: FinalState) -> Mask:
         """Which objects moved too far to come back, shape (simulations,)."""
         far = self.gone * self.motion_tolerance
         return (state.translations > far * self.reach) | (state.rotations > far)

@@ -13,6 +13,7 @@ their cones, where they chatter: 68 of 2,304 tests at 1.01 phi failed falsely, w
 
 import numpy as np
 
+from planner.arrays import Floats
 from sim.trial.protocol import ValidationProtocol
 
 
@@ -21,7 +22,7 @@ def steps(protocol: ValidationProtocol) -> int:
     return round(protocol.duration / protocol.timestep)
 
 
-def fractions(protocol: ValidationProtocol) -> np.ndarray:
+def fractions(protocol: ValidationProtocol) -> Floats:
     """Squeeze s and load fraction a of every time step, shape (steps, 2)."""
     times = np.arange(1, steps(protocol) + 1) * protocol.timestep
     starts, lengths = [0.0, protocol.preload_time], [protocol.preload_time, protocol.ramp_time]

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from mujoco import batch
 
+from planner.arrays import Floats, Mask
 from planner.errors import SimulationError
 from sim.scene.fingertips import SENSOR_WIDTH
 from sim.scene.scene import Scene
@@ -17,7 +18,7 @@ from sim.trial.force_law import FingerLaw
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.schedule import fractions
 
-Observer = Callable[[np.ndarray, np.ndarray], None]
+Observer = Callable[[Floats, Floats], None]
 """Is shown every step: qpos after it, shape (simulations, nq), and what the contact sensors read during it, shape
 (simulations, contacts, SENSOR_WIDTH). Both arrays are overwritten by the next step."""
 
@@ -29,22 +30,22 @@ LOOK_EVERY = 10
 class Trial:
     """What is done to the grasp, per simulation, in the units of the experiment."""
 
-    wrenches: np.ndarray
+    wrenches: Floats
     """Final external wrenches, shape (simulations, 6) [N, N m]."""
 
-    caps: np.ndarray
+    caps: Floats
     """Largest force norm of a finger of strength 1, shape (simulations,) [N]."""
 
-    preloads: np.ndarray
+    preloads: Floats
     """Feed-forward forces before the load, shape (simulations, contacts, 3) [N]."""
 
-    preload_wrenches: np.ndarray
+    preload_wrenches: Floats
     """External wrenches that balance the preloads, shape (simulations, 6) [N, N m]; zero for an internal force."""
 
-    forces: np.ndarray
+    forces: Floats
     """Feed-forward forces under the full wrench, shape (simulations, contacts, 3) [N]."""
 
-    def at(self, squeeze: float, load: float) -> tuple[np.ndarray, np.ndarray]:
+    def at(self, squeeze: float, load: float) -> tuple[Floats, Floats]:
         """Wrenches and feed-forward forces at a squeeze s and a load fraction a; see sim/trial/schedule.py."""
         return (
             squeeze * self.preload_wrenches + load * (self.wrenches - self.preload_wrenches),
@@ -64,11 +65,11 @@ def run(scene: Scene, trial: Trial, protocol: ValidationProtocol, observe: Obser
 
 def step_through(
     scene: Scene,
-    loads: Iterable[tuple[np.ndarray, np.ndarray]],
-    caps: np.ndarray,
+    loads: Iterable[tuple[Floats, Floats]],
+    caps: Floats,
     law: FingerLaw,
     observe: Observer = lambda *_: None,
-    lost: Callable[[FinalState], np.ndarray] | None = None,
+    lost: Callable[[FinalState], Mask] | None = None,
 ) -> FinalState:
     """Step every simulation through given loads.
 

@@ -2,8 +2,7 @@
 
 from itertools import count
 
-import numpy as np
-
+from planner.arrays import Floats
 from planner.progress import Done, Observe
 from sim.trial.trial import Observer
 
@@ -50,7 +49,7 @@ def each_step(observe: Done, simulations: int, steps: int) -> Observer:
     """An observer of steps that tells them as shares of so many simulations."""
     taken = count(1)
 
-    def step(_: np.ndarray, __: np.ndarray) -> None:
+    def step(_: Floats, __: Floats) -> None:
         observe(simulations * next(taken) / steps)
 
     return step

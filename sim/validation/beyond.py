@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.progress import Done
 from sim.trial.experiment import Experiment
 from sim.trial.measurement import Measurement, measure
@@ -99,7 +100,7 @@ def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda
     )
 
 
-def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Measurement:
+def measure_paths(experiment: Experiment, paths: Floats, cap: float) -> Measurement:
     """Let each load follow its path, the forces answering it, and judge the end.
 
     Between two corners wrench and forces change linearly: what balances at both, within cones and cap, does so
@@ -135,8 +136,8 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
 
 
 def _along(
-    first: Trial, wrenches: np.ndarray, forces: np.ndarray, protocol: ValidationProtocol
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    first: Trial, wrenches: Floats, forces: Floats, protocol: ValidationProtocol
+) -> Iterator[tuple[Floats, Floats]]:
     """Wrenches and forces of every step: up to the first corner as in any trial, then from corner to corner."""
     rise = round((protocol.preload_time + protocol.ramp_time) / protocol.timestep)
     for squeeze, load in fractions(protocol)[:rise]:

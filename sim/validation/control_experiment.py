@@ -6,7 +6,7 @@ predicted, the experiment is not to be trusted, and neither is its verdict.
 
 from dataclasses import dataclass
 
-import numpy as np
+from planner.arrays import Floats, Indices, Mask
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -18,29 +18,29 @@ class ControlExperiment:
     change: str
     """What was changed, in words."""
 
-    wrenches: np.ndarray
+    wrenches: Indices
     """Index of each simulation's wrench, shape (simulations,); -1 for no wrench."""
 
-    phi: np.ndarray
+    phi: Floats
     """Predicted cap under the change, shape (simulations,) [N]; infinite where no cap suffices."""
 
-    caps: np.ndarray
+    caps: Floats
     """Simulated cap, shape (simulations,) [N]."""
 
-    slips: np.ndarray
+    slips: Floats
     """Largest slip of a loaded finger over R0, shape (simulations,)."""
 
-    held: np.ndarray
+    held: Mask
     """Whether the simulation was held, shape (simulations,)."""
 
-    expected: np.ndarray
+    expected: Mask
     """Whether the theory says it is held, shape (simulations,)."""
 
-    counted: np.ndarray
+    counted: Mask
     """Whether the prediction is far enough from the cap to be called, shape (simulations,)."""
 
     @property
-    def wrong(self) -> np.ndarray:
+    def wrong(self) -> Mask:
         """Simulations that contradict their prediction, shape (simulations,)."""
         return self.counted & (self.held != self.expected)
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.friction_cone import utilisation
 from planner.millimetres import in_mm
 from planner.progress import Done
@@ -106,7 +107,7 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     )
 
 
-def _losing_friction(grasp: LoadedGrasp, cap: float, protocol: ValidationProtocol) -> tuple[float, np.ndarray]:
+def _losing_friction(grasp: LoadedGrasp, cap: float, protocol: ValidationProtocol) -> tuple[float, Floats]:
     """The part of the friction at which theory says that some wrench is lost, and every wrench's phi there.
 
     Where none is so low, the first part that was tried: every wrench must then be held.

@@ -11,6 +11,7 @@ from math import ceil, log2
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.errors import SimulationError
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
@@ -28,13 +29,13 @@ MOST_HALVINGS = 8
 class CriticalForce:
     """Brackets of the measured least cap of every wrench."""
 
-    phi: np.ndarray
+    phi: Floats
     """Predicted, shape (wrenches,) [N]."""
 
-    lower: np.ndarray
+    lower: Floats
     """Largest cap that was seen to slip, shape (wrenches,) [N]; zero if even the lowest held."""
 
-    upper: np.ndarray
+    upper: Floats
     """Least cap that was seen to hold, shape (wrenches,) [N]; infinite if even the highest slipped."""
 
     @property
@@ -43,7 +44,7 @@ class CriticalForce:
         return float(self.lower.max()), float(self.upper.max())
 
     @property
-    def ratios(self) -> np.ndarray:
+    def ratios(self) -> Floats:
         """Middle of every bracket over its prediction, shape (wrenches,); infinite if even the highest slipped."""
         return (self.lower + self.upper) / (2 * self.phi)
 
@@ -61,7 +62,7 @@ class CriticalForce:
 def measure_critical_force(
     grasp: LoadedGrasp,
     protocol: ValidationProtocol = ACTIVE,
-    simulated_friction: np.ndarray | None = None,
+    simulated_friction: Floats | None = None,
     observe: Callable[[float, float], None] = lambda *_: None,
 ) -> CriticalForce:
     """Bisect the cap of every wrench.
@@ -104,7 +105,7 @@ def bisect_caps(experiment: Experiment, observe: Callable[[float, float], None] 
 
     finished = 0
 
-    def test(rows: np.ndarray, caps: np.ndarray) -> None:
+    def test(rows: Indices, caps: Floats) -> None:
         """Simulate wrenches `rows` at these multiples of their phi and draw the brackets in."""
         nonlocal finished
         before, expected = finished, max(finished + len(rows), expected_simulations(len(phi)))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, contact_frames
 from planner.objects.rigid_object import RigidObject
 from planner.objects.surface.exposure import exposed
@@ -49,7 +50,7 @@ def displaced_grasps(rigid_object: RigidObject, contacts: Contacts, distance: fl
                 yield moved
 
 
-def _moved(rigid_object: RigidObject, contacts: Contacts, finger: int, step: np.ndarray) -> DisplacedGrasp | None:
+def _moved(rigid_object: RigidObject, contacts: Contacts, finger: int, step: Floats) -> DisplacedGrasp | None:
     """The grasp with one contact moved by about `step`; None where that leaves the face or the outer surface."""
     start = contacts.points[finger][None]
     feet = [part.project(start, part.nearest_facet(start))[0] for part in rigid_object.parts]

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from sim.trial.measurement import Measurement
 
 
@@ -33,7 +34,7 @@ class ForceAgreement:
     """Largest measured |f_t| / f_n, relative to the friction coefficient: at one a finger slides."""
 
 
-def force_agreement(vertices: Measurement, friction: np.ndarray, strengths: np.ndarray) -> ForceAgreement:
+def force_agreement(vertices: Measurement, friction: Floats, strengths: Floats) -> ForceAgreement:
     """Compare the forces of every wrench and finger.
 
     Args:

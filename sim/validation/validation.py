@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.files.package_versions import package_versions
 from planner.grasps.grasp import Grasp
 from planner.objects.graspable import Graspable
@@ -51,13 +52,13 @@ class Validation:
     grasp: LoadedGrasp
     """What was measured."""
 
-    simulated_friction: np.ndarray
+    simulated_friction: Floats
     """Shape (contacts,)."""
 
     static: StaticCheck
     """Whether the fingertips touch what was planned; if not, nothing was simulated."""
 
-    limited: np.ndarray
+    limited: Mask
     """Which wrenches lie on the friction limit, shape (wrenches,): whatever the cap, they need nearly all of it."""
 
     vertices: Measurement | None
@@ -111,7 +112,7 @@ def validate(
 def validate_contacts(
     grasp: LoadedGrasp,
     protocol: ValidationProtocol = ACTIVE,
-    simulated_friction: np.ndarray | None = None,
+    simulated_friction: Floats | None = None,
     *,
     measure: bool = False,
     thorough: bool = False,

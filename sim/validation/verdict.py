@@ -5,6 +5,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from planner.arrays import Mask
 from planner.millimetres import in_mm
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
@@ -31,7 +32,7 @@ def judge(objections: Sequence[str], doubts: Sequence[str]) -> Verdict:
     return Verdict.FAIL if objections else Verdict.PASS
 
 
-def undecided(vertices: Measurement, limited: np.ndarray, protocol: ValidationProtocol) -> tuple[str, ...]:
+def undecided(vertices: Measurement, limited: Mask, protocol: ValidationProtocol) -> tuple[str, ...]:
     """Wrenches on the friction limit that were not held: they speak neither for rho nor against it.
 
     Args:
@@ -49,7 +50,7 @@ def undecided(vertices: Measurement, limited: np.ndarray, protocol: ValidationPr
     )
 
 
-def unheld(vertices: Measurement, limited: np.ndarray, reach: float, protocol: ValidationProtocol) -> tuple[str, ...]:
+def unheld(vertices: Measurement, limited: Mask, reach: float, protocol: ValidationProtocol) -> tuple[str, ...]:
     """Why the wrenches with the cap above rho were not all held; empty if they were, but for the limited ones.
 
     Args:

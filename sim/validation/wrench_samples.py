@@ -4,25 +4,27 @@ from itertools import combinations
 
 import numpy as np
 
+from planner.arrays import Floats
+
 WAYPOINTS = 24
 """Corners of the polygon that a rotating load follows."""
 INSIDE = 1 - 1e-9
 """Keeps round-off from leaving W_R."""
 
 
-def interior_wrenches(vertices: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
+def interior_wrenches(vertices: Floats, count: int, rng: np.random.Generator) -> Floats:
     """Random convex combinations of the vertices, shape (count, D)."""
     return rng.dirichlet(np.ones(len(vertices)), size=count) @ vertices
 
 
-def boundary_wrenches(vertices: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
+def boundary_wrenches(vertices: Floats, count: int, rng: np.random.Generator) -> Floats:
     """Where random rays from the middle leave W_R, within the space that it spans, shape (count, D)."""
     center = vertices.mean(axis=0)
     directions = rng.normal(size=(count, len(vertices))) @ (vertices - center)
     return np.array([center + INSIDE * reach(vertices, center, along) * along for along in directions])
 
 
-def rotating_forces(vertices: np.ndarray) -> np.ndarray:
+def rotating_forces(vertices: Floats) -> Floats:
     """Gravity as a turning object feels it: forces of constant size that turn about each axis, as large as W_R allows.
 
     Args:
@@ -36,13 +38,13 @@ def rotating_forces(vertices: np.ndarray) -> np.ndarray:
     return _loops(vertices, [(axes[first], axes[second]) for first, second in combinations(range(3), 2)])
 
 
-def rotating_wrenches(vertices: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
+def rotating_wrenches(vertices: Floats, count: int, rng: np.random.Generator) -> Floats:
     """The same in random planes of the space that W_R spans, shape (at most count, WAYPOINTS + 1, D)."""
     spread = vertices - vertices.mean(axis=0)
     return _loops(vertices, [tuple(rng.normal(size=(2, len(vertices))) @ spread) for _ in range(count)])
 
 
-def reach(vertices: np.ndarray, origin: np.ndarray, direction: np.ndarray) -> float:
+def reach(vertices: Floats, origin: Floats, direction: Floats) -> float:
     """The largest s with origin + s direction in W_R: a linear program in the weights of the vertices.
 
     Returns:
@@ -59,7 +61,7 @@ def reach(vertices: np.ndarray, origin: np.ndarray, direction: np.ndarray) -> fl
     return float(answer.x[-1]) if answer.success else 0.0
 
 
-def _loops(vertices: np.ndarray, planes: list[tuple[np.ndarray, ...]]) -> np.ndarray:
+def _loops(vertices: Floats, planes: list[tuple[Floats, ...]]) -> Floats:
     center = vertices.mean(axis=0)
     angles = 2 * np.pi * np.arange(WAYPOINTS + 1) / WAYPOINTS
     loops = []

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contact_models.friction_cone import utilisation
 from planner.grasps.grasp import Grasp
 from sim.render.drawn_motion import DrawnPose
@@ -73,5 +74,5 @@ def _percent(share: float) -> str:
     return f"{share:.0%}" if np.isfinite(share) else "–"
 
 
-def _triple(vector: np.ndarray) -> str:
+def _triple(vector: Floats) -> str:
     return ", ".join(f"{value + 0.0:.3g}" for value in vector)

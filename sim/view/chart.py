@@ -4,6 +4,7 @@ import numpy as np
 import viser
 from viser.uplot import Series
 
+from planner.arrays import Floats
 from sim.render.palette import HELD, INK, SLIPPED
 from sim.scene.units import WHAT_R0_IS
 from sim.view.playback import Playback
@@ -47,7 +48,7 @@ class Chart:
         self._title.remove()
         self._node.remove()
 
-    def _known(self, step: int) -> tuple[np.ndarray, ...]:
+    def _known(self, step: int) -> tuple[Floats, ...]:
         return tuple(curve[: step + 1] for curve in self._curves)
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from sim.render.extent import extent
 from sim.render.view import View
 from sim.view.playback import Playback
@@ -21,10 +22,10 @@ ASPECT = 1.3
 class Layout:
     """Places in the scene, in the units of the view."""
 
-    places: tuple[np.ndarray, ...]
+    places: tuple[Floats, ...]
     """Of what is shown, each of shape (3,)."""
 
-    caption: np.ndarray
+    caption: Floats
     """Of a caption relative to what it is about, shape (3,)."""
 
     view: View
@@ -49,12 +50,12 @@ def trial_layout(playback: Playback, factor: float) -> Layout:
     return _layout(subject, points, tuple((number - (len(poses) - 1) / 2) * shift for number in simulations))
 
 
-def _planned_extent(subject: Subject, wrench: int) -> np.ndarray:
+def _planned_extent(subject: Subject, wrench: int) -> Floats:
     corners = subject.triangles.reshape(-1, 3)
     return extent(corners, subject.contacts.friction, subject.planned(wrench), subject.load(wrench))
 
 
-def _layout(subject: Subject, points: np.ndarray, places: tuple[np.ndarray, ...]) -> Layout:
+def _layout(subject: Subject, points: Floats, places: tuple[Floats, ...]) -> Layout:
     """So that points, shape (n, 3), are seen at every place, with a caption below."""
     right, up, _ = subject.direction.axes
     across, height = points @ right, points @ up

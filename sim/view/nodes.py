@@ -5,6 +5,7 @@ import trimesh
 import viser
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats, Indices
 from planner.contacts import contact_frames
 from sim.render.load import TURN, Load
 from sim.render.palette import CONE, FORCE, LOAD, TIP, rgb
@@ -44,7 +45,7 @@ class Arrow:
             name, vertices, faces, color=rgb(color), flat_shading=True, side="double", visible=False
         )
 
-    def show(self, tip: np.ndarray, vector: np.ndarray, radius: float, head: tuple[float, float] | None = None) -> None:
+    def show(self, tip: Floats, vector: Floats, radius: float, head: tuple[float, float] | None = None) -> None:
         """Let it end at `tip`; `head` is the length and radius of the head, by default in proportion."""
         length = float(np.linalg.norm(vector))
         axis, first, second = contact_frames(vector[None] / length)[0].T
@@ -80,7 +81,7 @@ class Finger:
         self.force = Arrow(scene, f"{name}/force", FORCE)
         self.label = scene.add_label(f"{name}/number", str(number), anchor="center-center", font_screen_scale=LETTERS)
 
-    def show(self, tip: np.ndarray, contact: np.ndarray, frame: np.ndarray, force: np.ndarray) -> None:
+    def show(self, tip: Floats, contact: Floats, frame: Floats, force: Floats) -> None:
         """Put it in place; as in the pictures, cones are outside, where the arrows are.
 
         Args:
@@ -106,7 +107,7 @@ class Push:
         self.arc = scene.add_line_segments(f"{name}/moment", UNSHOWN, rgb(LOAD), thickness=2 * ARC_ROD, visible=False)
         self.head = Arrow(scene, f"{name}/turn", LOAD)
 
-    def show(self, load: Load, shift: np.ndarray, share: float) -> None:
+    def show(self, load: Load, shift: Floats, share: float) -> None:
         """A part of the load on an object that has moved by `shift`, shape (3,)."""
         if share > 0 and load.force.any():
             self.force.show(load.tip_at(share) + shift, share * load.force, SHAFT * load.size)
@@ -123,12 +124,12 @@ class Push:
         self.head.show(points[-1] + length * heading, length * heading, ARC_ROD * load.size, (length, radius))
 
 
-def quaternion(rotation: np.ndarray) -> np.ndarray:
+def quaternion(rotation: Floats) -> Floats:
     """A rotation matrix as (w, x, y, z), shape (4,)."""
     return Rotation.from_matrix(rotation).as_quat(scalar_first=True)
 
 
-def _cone(friction: float) -> tuple[np.ndarray, np.ndarray]:
+def _cone(friction: float) -> tuple[Floats, Indices]:
     """A friction cone in its contact frame, mirrored to the outside: its apex at the origin, opening along -x."""
     cone = trimesh.creation.cone(radius=friction * CONE_HEIGHT, height=CONE_HEIGHT, sections=SIDES)
     opening_down = cone.vertices - [0, 0, CONE_HEIGHT]

@@ -3,8 +3,7 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-import numpy as np
-
+from planner.arrays import Floats
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
 from sim.render.recording import Recording, known_outcome, record
 from sim.trial.measurement import Measurement
@@ -34,7 +33,7 @@ class Playback:
         return tuple(self.recording.measured(simulation) for simulation in range(len(self.recording.trial.caps)))
 
     @property
-    def slips(self) -> list[np.ndarray]:
+    def slips(self) -> list[Floats]:
         """Largest slip of a fingertip over R0, of every simulation, after every step, each of shape (steps,)."""
         return [measured.slip for measured in self.measured]
 

@@ -4,6 +4,7 @@ import numpy as np
 import trimesh
 import viser
 
+from planner.arrays import Floats
 from planner.contacts import contact_frames
 from planner.pictures.shaded_surface import shaded_surface
 from sim.render.drawn_motion import DrawnPose
@@ -47,11 +48,11 @@ class ShownTrial:
             finger.show(tip, contact, frame, force)
         self.load.show(load, pose.position, share)
 
-    def say(self, words: str, place: np.ndarray) -> None:
+    def say(self, words: str, place: Floats) -> None:
         """A caption at a place relative to the root, shape (3,); none for no words."""
         self.caption.text, self.caption.position, self.caption.visible = words, place, bool(words)
 
-    def place(self, position: np.ndarray, ghost: bool) -> None:
+    def place(self, position: Floats, ghost: bool) -> None:
         """Put the whole somewhere, shape (3,), with the edges of where it was planned if asked for."""
         self.root.position = position
         if self.ghost:
@@ -78,7 +79,7 @@ def _surface(subject: Subject) -> trimesh.Trimesh:
     return mesh
 
 
-def _edges(scene: viser.SceneApi, name: str, edges: np.ndarray, color: str) -> viser.LineSegmentsHandle | None:
+def _edges(scene: viser.SceneApi, name: str, edges: Floats, color: str) -> viser.LineSegmentsHandle | None:
     """Lines; none for a smooth object."""
     if not len(edges):
         return None

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.errors import GraspFileError
 from planner.grasps.grasp import Grasp
@@ -51,12 +52,12 @@ class Subject:
         return self.units.contacts(self.grasp.contacts)
 
     @cached_property
-    def triangles(self) -> np.ndarray:
+    def triangles(self) -> Floats:
         """Of the object's surface, shape (triangles, 3, 3)."""
         return self.units.points(np.concatenate([part.triangles()[0] for part in self.rigid_object.parts]))
 
     @cached_property
-    def edges(self) -> np.ndarray:
+    def edges(self) -> Floats:
         """Those that one would draw, shape (edges, 2, 3)."""
         return self.units.points(visible_edges(self.rigid_object))
 

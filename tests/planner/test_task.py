@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 from planner.files.toml_file import MAX_FILE_BYTES
 from planner.objects.mjcf.reader import read_object
@@ -194,7 +195,7 @@ def test_an_endless_file_is_refused(tmp_path: Path) -> None:
         (np.full((1, 6), np.nan), "not finite"),
     ],
 )
-def test_a_task_needs_wrenches_that_fit_its_reference_point(wrenches: np.ndarray, message: str) -> None:
+def test_a_task_needs_wrenches_that_fit_its_reference_point(wrenches: Floats, message: str) -> None:
     with pytest.raises(TaskError, match=message):
         Task(name="task", reference_point=np.zeros(3), wrenches=wrenches)
 

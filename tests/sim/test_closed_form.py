@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from sim.scene.fingertips import Fingertips
 from sim.scene.object_joints import FreeJoint
@@ -20,7 +21,7 @@ FRICTION, PRESS = 0.4, 1.0
 RADIUS = 0.04 * ACTIVE.reach
 
 
-def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: ValidationProtocol = ACTIVE) -> Measurement:
+def squeezed_box(weights: Floats, friction: Floats, protocol: ValidationProtocol = ACTIVE) -> Measurement:
     """Two fingers press the sides of a box with PRESS and lift half of each weight, one simulation per weight."""
     points = np.array([(-0.05, 0, 0), (0.05, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=friction)

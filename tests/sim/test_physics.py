@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.objects.parts.cylinder import Cylinder
 from planner.objects.pose import Pose
@@ -16,7 +17,7 @@ from tests.strategies.planned_grasps import Planned, box, prism
 FRICTION = 0.5
 
 
-def measured(planned: Planned, phi: np.ndarray, protocol: ValidationProtocol = ACTIVE) -> CriticalForce:
+def measured(planned: Planned, phi: Floats, protocol: ValidationProtocol = ACTIVE) -> CriticalForce:
     return measure_critical_force(replace(planned.loaded, phi=phi), protocol)
 
 
@@ -25,7 +26,7 @@ def few(planned: Planned) -> Planned:
     return replace(planned, wrenches=planned.wrenches[5::16])
 
 
-def pinched_block(wrenches: np.ndarray) -> Planned:
+def pinched_block(wrenches: Floats) -> Planned:
     """Two fingers on opposite sides of a block, along x."""
     points = np.array([(-0.04, 0, 0), (0.04, 0, 0)])
     contacts = Contacts(points=points, normals=np.sign(-points), friction=np.full(2, FRICTION))

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from planner.arrays import Floats
 from planner.candidates.choice import make_candidates
 from planner.contact_models.friction_cone import components
 from planner.contacts import Contacts, grasp_maps
@@ -126,7 +127,7 @@ def test_a_load_on_the_friction_limit_that_slips_is_neither_a_pass_nor_a_fail() 
     )
 
 
-def supporting(seed: int) -> tuple[Contacts, np.ndarray, float]:
+def supporting(seed: int) -> tuple[Contacts, Floats, float]:
     """A random grasp from below only, which cannot squeeze, a load that it carries, and the cap that this needs."""
     rng = np.random.default_rng(seed)
     fingers = int(rng.integers(3, 6))
@@ -142,7 +143,7 @@ def supporting(seed: int) -> tuple[Contacts, np.ndarray, float]:
 @settings(max_examples=30, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1), drawn=st.sampled_from([grasp_and_wrench, supporting]))
 def test_every_instant_of_the_schedule_is_balanced_capped_and_in_the_true_cones(
-    seed: int, drawn: Callable[[int], tuple[Contacts, np.ndarray, float]]
+    seed: int, drawn: Callable[[int], tuple[Contacts, Floats, float]]
 ) -> None:
     contacts, wrench, phi = drawn(seed)
     assume(np.isfinite(phi))

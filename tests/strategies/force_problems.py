@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import strategies as st
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, grasp_maps, wrench_dimension
 from planner.forces.problem import ForceProblem
 
@@ -40,7 +41,7 @@ def random_contacts(rng: np.random.Generator, fingers: int, dimension: int) -> C
     )
 
 
-def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
+def cone_forces(rng: np.random.Generator, contacts: Contacts) -> Floats:
     """One force inside each friction cone: the normal plus a tangent shorter than mu."""
     tangents = rng.normal(size=contacts.points.shape)
     tangents -= (tangents * contacts.normals).sum(axis=1, keepdims=True) * contacts.normals
@@ -49,7 +50,7 @@ def cone_forces(rng: np.random.Generator, contacts: Contacts) -> np.ndarray:
     return rng.uniform(0, 1, size=(len(contacts), 1)) * (contacts.normals + slopes[:, None] * tangents)
 
 
-def soft(contacts: Contacts, torsion: float | np.ndarray) -> Contacts:
+def soft(contacts: Contacts, torsion: float | Floats) -> Contacts:
     """The contacts with torsional friction [m], one for all or one for each."""
     return replace(contacts, torsion=np.broadcast_to(np.asarray(torsion, dtype=float), contacts.friction.shape))
 

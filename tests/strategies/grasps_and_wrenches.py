@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
@@ -9,7 +10,7 @@ from planner.forces.problem import ForceProblem
 ORIGIN = np.zeros(3)
 
 
-def grasp_and_wrench(seed: int) -> tuple[Contacts, np.ndarray, float]:
+def grasp_and_wrench(seed: int) -> tuple[Contacts, Floats, float]:
     """A random grasp, a wrench that it can balance, and the cap phi that this needs."""
     rng = np.random.default_rng(seed)
     fingers = int(rng.integers(3, 7))

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.planar.outline import Outline
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.planar.simple_polygon import simple_polygon
@@ -28,7 +29,7 @@ def planar_object(corners: list[tuple[float, float]], mass: float = 0.05, thickn
     )
 
 
-def star(seed: int, corners: int = 12) -> np.ndarray:
+def star(seed: int, corners: int = 12) -> Floats:
     """A random star-shaped polygon about the origin, mostly concave, shape (corners, 2)."""
     generator = np.random.default_rng(seed)
     angles = 2 * np.pi * (np.arange(corners) + generator.uniform(0.1, 0.9, corners)) / corners

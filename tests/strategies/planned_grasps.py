@@ -5,6 +5,7 @@ from itertools import product
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
@@ -24,11 +25,11 @@ class Planned:
 
     parts: tuple[ConvexPart, ...]
     contacts: Contacts
-    reference_point: np.ndarray
-    wrenches: np.ndarray
+    reference_point: Floats
+    wrenches: Floats
 
     @property
-    def phi(self) -> np.ndarray:
+    def phi(self) -> Floats:
         """Predicted cap of each wrench [N]."""
         solver = MinimaxForces(len(self.contacts), 3)
         return np.array(
@@ -59,7 +60,7 @@ class Planned:
         )
 
 
-def prism(scale: float = 1.0, rotation: np.ndarray | None = None, offset: np.ndarray | None = None) -> Planned:
+def prism(scale: float = 1.0, rotation: Floats | None = None, offset: Floats | None = None) -> Planned:
     """The paper's Case III with its optimal grasp, rho = 0.669 N: legs of 4 cm, height 2 cm, times `scale`.
 
     Forces grow with the square of the scale. The body frame may be turned and moved.

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from planner.arrays import Floats
 from planner.grasps.grasp import Grasp
 from planner.grasps.grasp_file import write_grasp
 
 
-def arrays_of(grasp: Grasp) -> dict[str, np.ndarray]:
+def arrays_of(grasp: Grasp) -> dict[str, Floats]:
     """What its side file holds."""
     candidates = grasp.certificate.candidates
     return {
@@ -24,7 +26,7 @@ def arrays_of(grasp: Grasp) -> dict[str, np.ndarray]:
     }
 
 
-def archived(arrays: dict[str, np.ndarray], *, pickled: bool = False) -> bytes:
+def archived(arrays: dict[str, NDArray[Any]], *, pickled: bool = False) -> bytes:
     """A side file, as `numpy.savez_compressed` makes it."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:

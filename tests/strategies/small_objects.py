@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from planner.arrays import Floats
 from planner.contacts import Contacts, wrench_dimension
 from planner.search.certified import CertifiedSearch
 from planner.search.finger_kind import FingerKind
@@ -57,7 +58,7 @@ def settings(seed: int) -> CertifiedSearch:
     )
 
 
-def _box(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def _box(generator: np.random.Generator) -> tuple[Floats, Floats]:
     """A grid on every face of a cuboid, often a cube."""
     half = generator.choice([0.02, 0.03, 0.05], 3)
     steps = np.linspace(-0.75, 0.75, 4)
@@ -71,7 +72,7 @@ def _box(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     return np.array(points), np.array(normals)
 
 
-def _hull(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def _hull(generator: np.random.Generator) -> tuple[Floats, Floats]:
     """Four points on every facet of the hull of random points."""
     cloud = 0.04 * generator.normal(size=(int(generator.integers(5, 14)), 3))
     hull = ConvexHull(cloud - cloud.mean(axis=0))
@@ -80,7 +81,7 @@ def _hull(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     return points, -np.repeat(hull.equations[:, :3], len(weights), axis=0)
 
 
-def _polygon(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def _polygon(generator: np.random.Generator) -> tuple[Floats, Floats]:
     """Six points on every edge of a convex polygon."""
     cloud = 0.04 * generator.normal(size=(int(generator.integers(4, 10)), 2))
     hull = ConvexHull(cloud - cloud.mean(axis=0))
@@ -90,14 +91,14 @@ def _polygon(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     return points, -np.repeat(hull.equations[:, :2], len(shares), axis=0)
 
 
-def _friction(generator: np.random.Generator, contacts: int) -> np.ndarray:
+def _friction(generator: np.random.Generator, contacts: int) -> Floats:
     """One coefficient, two, or as many as contacts; the least that an error in it leaves."""
     levels = (1, 2, contacts)[int(generator.integers(3))]
     friction = generator.uniform(0.2, 1.2, levels)[np.arange(contacts) * levels // contacts]
     return np.asarray(friction * (1 - generator.choice([0.0, 0.2])))
 
 
-def _task(generator: np.random.Generator, dimension: int, fingers: int, length: float) -> np.ndarray:
+def _task(generator: np.random.Generator, dimension: int, fingers: int, length: float) -> Floats:
     """Pushes along all axes with moments or without, or a single load; a pull on one finger cannot be held."""
     size = wrench_dimension(dimension)
     scale = np.r_[np.ones(dimension), np.full(size - dimension, length)]

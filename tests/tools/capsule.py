@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import mujoco
-import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.rigid_object import RigidObject
 
 
@@ -28,7 +28,7 @@ class Capsule:
         named = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_GEOM, name)
         return int(named) if named >= 0 else int(name.removeprefix("geom"))
 
-    def least_distance(self, start: np.ndarray, end: np.ndarray, but: int) -> float:
+    def least_distance(self, start: Floats, end: Floats, but: int) -> float:
         """Distance of the capsule from all parts but one, negative where it enters one [m]."""
         self.data.mocap_pos[0] = self.origin + self.rotation @ (start + end) / 2
         mujoco.mju_quatZ2Vec(self.data.mocap_quat[0], self.rotation @ (end - start))

@@ -5,6 +5,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import Candidates
 from planner.objects.rigid_object import RigidObject
 
@@ -33,7 +34,7 @@ class Fingertip:
         named = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_GEOM, name)
         return int(named) if named >= 0 else int(name.removeprefix("geom"))
 
-    def measure(self, candidates: Candidates, index: int) -> tuple[float, np.ndarray]:
+    def measure(self, candidates: Candidates, index: int) -> tuple[float, Floats]:
         """Height of a candidate above the surface [m] and the direction from the tip to it, as MuJoCo sees them."""
         point, normal = candidates.contacts.points[index], candidates.contacts.normals[index]
         away = point - (self.radius + self.gap) * normal

@@ -1,14 +1,14 @@
 """Where the bodies of an object are: at qpos0, or where a keyframe puts their joints."""
 
 import mujoco
-import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 from planner.objects.mjcf.names import name_at
 from planner.objects.pose import Pose
 
 
-def configuration_at(model: mujoco.MjModel, keyframe: str | None) -> np.ndarray:
+def configuration_at(model: mujoco.MjModel, keyframe: str | None) -> Floats:
     """Coordinates of the joints: qpos0, or those of a keyframe, shape (nq,).
 
     Raises:
@@ -23,7 +23,7 @@ def configuration_at(model: mujoco.MjModel, keyframe: str | None) -> np.ndarray:
     return model.key_qpos[names.index(keyframe)].copy()
 
 
-def body_poses(model: mujoco.MjModel, root: int, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
+def body_poses(model: mujoco.MjModel, root: int, bodies: list[int], configuration: Floats) -> dict[int, Pose]:
     """Pose in B of each body of the object, that of the root, which is B, first.
 
     Args:
@@ -40,7 +40,7 @@ def body_poses(model: mujoco.MjModel, root: int, bodies: list[int], configuratio
     return {root: Pose.identity()} | {body: to_root.compose(in_world[body]) for body in others}
 
 
-def poses_in_world(model: mujoco.MjModel, bodies: list[int], configuration: np.ndarray) -> dict[int, Pose]:
+def poses_in_world(model: mujoco.MjModel, bodies: list[int], configuration: Floats) -> dict[int, Pose]:
     """X_WB of each body, W being the world."""
     data = mujoco.MjData(model)
     data.qpos[:] = configuration

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-import numpy as np
-
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import ObjectError
 from planner.objects.object_source import ALL_JOINTS
 
@@ -36,22 +35,22 @@ class BodyTree:
     names: tuple[str, ...]
     """Name of each body, `body<id>` where it has none."""
 
-    parents: np.ndarray
+    parents: Indices
     """Parent of each body, shape (bodies,)."""
 
     joints: tuple[tuple[str, ...], ...]
     """Names of the joints between each body and its parent."""
 
-    freedoms: np.ndarray
+    freedoms: Indices
     """Degrees of freedom of each body relative to its parent, shape (bodies,)."""
 
     constraints: tuple[Tie, ...]
     """Equality constraints that tie bodies to each other."""
 
-    masses: np.ndarray
+    masses: Floats
     """Mass of each body without its children, shape (bodies,) [kg]."""
 
-    colliding_geoms: np.ndarray
+    colliding_geoms: Indices
     """Number of geoms, planes left out, with which each body collides, shape (bodies,)."""
 
     def choose(self, name: str | None) -> int:
@@ -101,7 +100,7 @@ class BodyTree:
         return sorted(self._reached(body, self._ties))
 
     @cached_property
-    def _solid(self) -> np.ndarray:
+    def _solid(self) -> Mask:
         """Which bodies have mass or collide, shape (bodies,)."""
         return (self.colliding_geoms > 0) | (self.masses > 0)
 

@@ -6,8 +6,10 @@ Those whose contype or conaffinity is not 0, and those that a contact pair names
 import mujoco
 import numpy as np
 
+from planner.arrays import Mask
 
-def collides(model: mujoco.MjModel) -> np.ndarray:
+
+def collides(model: mujoco.MjModel) -> Mask:
     """For the geoms of a compiled model, shape (geoms,), boolean."""
     masks = (model.geom_contype | model.geom_conaffinity) != 0
     paired = np.concatenate([model.pair_geom1, model.pair_geom2])

@@ -6,6 +6,7 @@ Frame: body frame B, SI.
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.objects.mjcf.compiled import compile_object
 from planner.objects.mjcf.touch import TIP, Touch, TouchProbe
 from planner.objects.rigid_object import RigidObject
@@ -17,7 +18,7 @@ MARGIN = 0.1
 """Share by which the planner is stricter than the simulator; single precision needs less."""
 
 
-def measure_collision(rigid_object: RigidObject, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> Touch:
+def measure_collision(rigid_object: RigidObject, points: Floats, normals: Floats, part: Indices) -> Touch:
     """Compare points of the object's surface with the model its file compiles to.
 
     Args:
@@ -42,7 +43,7 @@ def measure_collision(rigid_object: RigidObject, points: np.ndarray, normals: np
     return probe.touch(pose.to_body(points), pose.rotate(normals), radius, asked)
 
 
-def _in_reach(rigid_object: RigidObject, centers: np.ndarray, reach: float) -> np.ndarray:
+def _in_reach(rigid_object: RigidObject, centers: Floats, reach: float) -> Mask:
     """Which parts' bounding boxes are within reach of each ball's centre, shape (balls, parts)."""
     bounds = np.array([part.bounds() for part in rigid_object.parts])
     boxes = zip(bounds[:, 0] - reach, bounds[:, 1] + reach, strict=True)

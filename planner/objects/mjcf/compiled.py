@@ -13,6 +13,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.errors import MasslessError, ObjectError
 from planner.objects.digest import digest
 from planner.objects.mjcf.appearance import MASSLESS, advice, without_culprit
@@ -59,7 +60,7 @@ class CompiledObject:
     pose_in_file: Pose
     """X_WB at `configuration`: where the file places the body in its world W."""
 
-    configuration: np.ndarray
+    configuration: Floats
     """Coordinates of the model's joints, qpos, at which the object is rigid, shape (nq,)."""
 
     colliding: tuple[int, ...]
@@ -84,7 +85,7 @@ class CompiledObject:
         chosen = np.isin(np.arange(self.model.ngeom), self.colliding)
         return [int(geom) for geom in np.flatnonzero(is_mesh & mine & (chosen == colliding))]
 
-    def mesh(self, geom: int) -> tuple[np.ndarray, np.ndarray]:
+    def mesh(self, geom: int) -> tuple[Floats, Indices]:
         """Vertices in B, shape (n, 3) [m], and triangles of vertex numbers, shape (faces, 3), of a mesh geom.
 
         MuJoCo recentres meshes: its vertices belong to its pose, those of the file to nothing in the model. Faces that

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.errors import ObjectError
 from planner.objects.mjcf.compiled import CompiledObject, compile_object
 from planner.objects.mjcf.filled_hollows import filled_hollows
@@ -79,7 +80,7 @@ def _cut(rigid_object: RigidObject, compiled: CompiledObject, hollows: Container
     return replace(rigid_object, parts=tuple(parts), torsion=tuple(torsion), untouchable=frozenset(untouchable))
 
 
-def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction: float) -> list[Polyhedron]:
+def convex_parts(vertices: Floats, faces: Indices, *, geom: str, friction: float) -> list[Polyhedron]:
     """Convex parts of a mesh, named after its geom; slivers without a face to touch are left out.
 
     Pieces of the mesh that are convex already stay exactly as they are.
@@ -105,7 +106,7 @@ def convex_parts(vertices: np.ndarray, faces: np.ndarray, *, geom: str, friction
     return parts
 
 
-def _pieces(vertices: np.ndarray, faces: np.ndarray) -> tuple[list[np.ndarray], tuple[np.ndarray, np.ndarray] | None]:
+def _pieces(vertices: Floats, faces: Indices) -> tuple[list[Floats], tuple[Floats, Indices] | None]:
     """Corners of the closed convex pieces of a mesh, and the mesh of all others; one with cavities stays whole."""
     from trimesh import Trimesh  # here: half a second that only decompositions need
     from trimesh.util import concatenate
@@ -121,7 +122,7 @@ def _pieces(vertices: np.ndarray, faces: np.ndarray) -> tuple[list[np.ndarray], 
     return solids, None if rest is None else (rest.vertices, rest.faces)
 
 
-def _run_coacd(vertices: np.ndarray, faces: np.ndarray) -> list[np.ndarray]:
+def _run_coacd(vertices: Floats, faces: Indices) -> list[Floats]:
     """Corners of the convex pieces into which `coacd` cuts a mesh."""
     try:
         import coacd

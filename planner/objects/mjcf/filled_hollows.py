@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.mjcf.compiled import CompiledObject
 from planner.objects.rigid_object import ConvexPart
 
@@ -28,7 +29,7 @@ def filled_hollows(compiled: CompiledObject, parts: Sequence[ConvexPart]) -> dic
     return shares
 
 
-def _volume(triangles: np.ndarray) -> float:
+def _volume(triangles: Floats) -> float:
     """Signed volume inside a closed surface (divergence theorem), from triangles of shape (n, 3, 3) [m^3]."""
     arms = triangles - triangles[0, 0]
     return float((arms[:, 0] * np.cross(arms[:, 1], arms[:, 2])).sum() / 6)

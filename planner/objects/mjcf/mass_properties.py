@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.pose import Pose
 
 
@@ -13,14 +14,14 @@ class MassProperties(NamedTuple):
     mass: float
     """[kg]"""
 
-    center_of_mass: np.ndarray
+    center_of_mass: Floats
     """Shape (3,) [m]; the origin where the mass is zero."""
 
-    inertia: np.ndarray
+    inertia: Floats
     """About the centre of mass, in the axes of B, shape (3, 3) [kg m^2]."""
 
 
-def combined(masses: np.ndarray, frames: list[Pose], principal_inertias: np.ndarray) -> MassProperties:
+def combined(masses: Floats, frames: list[Pose], principal_inertias: Floats) -> MassProperties:
     """Sum of bodies, each given in its principal frame.
 
         m = sum m_k,   c = sum m_k c_k / m,   I = sum R_k I_k R_k^T + m_k (|d_k|^2 1 - d_k d_k^T),   d_k = c_k - c

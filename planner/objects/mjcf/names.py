@@ -1,10 +1,11 @@
 """Names in a compiled model. MuJoCo keeps the bytes of the file; what is not UTF-8 is read as Latin-1."""
 
 import mujoco
-import numpy as np
+
+from planner.arrays import Indices
 
 
-def name_at(model: mujoco.MjModel, addresses: np.ndarray, number: int, kind: str) -> str:
+def name_at(model: mujoco.MjModel, addresses: Indices, number: int, kind: str) -> str:
     """Name of an element, its kind and number (`geom7`) where it has none.
 
     Args:

@@ -9,6 +9,7 @@ from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.errors import ObjectError
 from planner.files.bounded_read import read_bounded
 
@@ -26,7 +27,7 @@ class ObjFile:
     vertices: int
     """How many."""
 
-    faces: np.ndarray
+    faces: Indices
     """Triangles of vertex numbers, those of all groups, shape (faces, 3); polygons are cut into fans."""
 
     groups: tuple[tuple[str, int], ...]

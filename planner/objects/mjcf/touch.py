@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.contacts import contact_frames
 from planner.objects.vectors import norm
 
@@ -38,16 +39,16 @@ CONVERGED = 1e-10
 class Touch:
     """Where the parts of an object are for balls that rest on it; parts not asked for are infinitely far."""
 
-    gaps: np.ndarray
+    gaps: Floats
     """Signed distance of each ball from each part, shape (balls, parts) [m]."""
 
-    turns: np.ndarray
+    turns: Floats
     """Angle between the way from each centre to each part and the inward normal, shape (balls, parts) [rad]."""
 
-    rises: np.ndarray
+    rises: Floats
     """Height of each part's nearest point above the tangent plane, shape (balls, parts) [m]."""
 
-    aside: np.ndarray
+    aside: Floats
     """Least signed distance of each ball from each part if it slides by the clearance along the tangent plane, shape
     (balls, parts) [m]; infinite where no near part of another normal goes on below that plane."""
 
@@ -58,27 +59,27 @@ class Touch:
     """Share by which every threshold is stricter: MuJoCo rounds a mesh anew, to single precision, in every model."""
 
     @property
-    def near(self) -> np.ndarray:
+    def near(self) -> Mask:
         """Whether each ball touches each part, or may touch it under load, shape (balls, parts)."""
         return self.gaps < CLEARANCE * self.size * (1 + self.margin)
 
     @property
-    def flush(self) -> np.ndarray:
+    def flush(self) -> Mask:
         """Whether each part goes on with the surface under each ball, shape (balls, parts)."""
         return self.near & (self.rises <= self._even) & (self.aside >= -self._even)
 
     @property
-    def walls(self) -> np.ndarray:
+    def walls(self) -> Mask:
         """Whether each part is another surface that each ball touches too, shape (balls, parts)."""
         return self.near & ~self.flush
 
     @property
-    def on_surface(self) -> np.ndarray:
+    def on_surface(self) -> Mask:
         """Whether each ball touches each part, neither above nor inside, shape (balls, parts)."""
         return np.abs(self.gaps) <= self._even
 
     @property
-    def aligned(self) -> np.ndarray:
+    def aligned(self) -> Mask:
         """Whether each part has the expected normal, shape (balls, parts)."""
         return self.turns <= SAME_NORMAL * (1 - self.margin)
 
@@ -98,10 +99,10 @@ class TouchProbe:
         self,
         model: mujoco.MjModel,
         ball: int,
-        geoms: np.ndarray,
+        geoms: Indices,
         size: float,
         margin: float = 0.0,
-        configuration: np.ndarray | None = None,
+        configuration: Floats | None = None,
     ) -> None:
         """Copy the model.
 
@@ -121,7 +122,7 @@ class TouchProbe:
         mujoco.mj_kinematics(self._model, self._data)
         self.size, self._margin, self._far = size, margin, 10 * size
 
-    def touch(self, points: np.ndarray, normals: np.ndarray, radius: float, asked: np.ndarray | None = None) -> Touch:
+    def touch(self, points: Floats, normals: Floats, radius: float, asked: Mask | None = None) -> Touch:
         """Rest balls on the surface.
 
         Args:
@@ -147,7 +148,7 @@ class TouchProbe:
             margin=self._margin,
         )
 
-    def _aside(self, points: np.ndarray, normals: np.ndarray, radius: float, asked: np.ndarray) -> np.ndarray:
+    def _aside(self, points: Floats, normals: Floats, radius: float, asked: Mask) -> Floats:
         """See `Touch.aside`, for the parts asked for."""
         rows = np.flatnonzero(asked.any(axis=1))
         least = np.full(asked.shape, np.inf)
@@ -156,7 +157,7 @@ class TouchProbe:
             least[rows] = np.minimum(least[rows], distances - radius / 2)
         return least
 
-    def _nearest(self, centers: np.ndarray, radius: float, asked: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _nearest(self, centers: Floats, radius: float, asked: Mask) -> tuple[Floats, Floats]:
         """Distance from each ball of half the radius to each part asked for, and that part's nearest point."""
         self._model.geom_size[self._ball, 0] = radius / 2
         distances, nearest, ends = np.full(asked.shape, np.inf), np.full((*asked.shape, 3), np.inf), np.zeros(6)
@@ -169,7 +170,7 @@ class TouchProbe:
         return distances, nearest
 
 
-def all_round(normals: np.ndarray, length: float) -> np.ndarray:
+def all_round(normals: Floats, length: float) -> Floats:
     """Steps along the tangent planes in eight directions, shape (8, normals, 3) [m]."""
     first, second = (length * contact_frames(normals)[:, :, 1:]).transpose(2, 0, 1)
     angles = np.arange(8) * np.pi / 4

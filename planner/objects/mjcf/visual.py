@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from planner.arrays import Floats, Indices, Mask
 from planner.millimetres import in_mm, point_in_mm
 from planner.objects.mjcf.compiled import CompiledObject, compile_object
 from planner.objects.rigid_object import RigidObject
@@ -48,7 +49,7 @@ class VisualDifference:
     largest: float
     """[m]"""
 
-    where: np.ndarray
+    where: Floats
     """The visual point farthest from the collision surface, shape (3,) [m]."""
 
     size: float
@@ -103,14 +104,14 @@ def warn_of_difference(rigid_object: RigidObject, difference: VisualDifference |
         logger.warning("the visual mesh of body '%s' is %s", rigid_object.body, difference)
 
 
-def seen_triangles(compiled: CompiledObject) -> np.ndarray:
+def seen_triangles(compiled: CompiledObject) -> Floats:
     """Triangles of the meshes that are seen and do not collide, or else of those that do, shape (n, 3, 3) [m]."""
     meshes = compiled.meshes(colliding=False) or compiled.meshes(colliding=True)
     found = [vertices[faces] for vertices, faces in map(compiled.mesh, meshes)]
     return np.concatenate([*found, np.zeros((0, 3, 3))])
 
 
-def _parts_of_seen(compiled: CompiledObject) -> np.ndarray:
+def _parts_of_seen(compiled: CompiledObject) -> Indices:
     """The part as which each of the seen triangles collides, shape (n,); NO_PART where its mesh is only seen."""
     if compiled.meshes(colliding=False):
         return np.full(len(seen_triangles(compiled)), NO_PART)
@@ -119,7 +120,7 @@ def _parts_of_seen(compiled: CompiledObject) -> np.ndarray:
     return np.repeat(parts, [len(compiled.mesh(geom)[1]) for geom in meshes])
 
 
-def _buried(rigid_object: RigidObject, points: np.ndarray, own: np.ndarray) -> np.ndarray:
+def _buried(rigid_object: RigidObject, points: Floats, own: Indices) -> Mask:
     """Which points of meshes that collide lie in or on another part than their own, where nobody sees them, shape (n,).
 
     Args:
@@ -134,7 +135,7 @@ def _buried(rigid_object: RigidObject, points: np.ndarray, own: np.ndarray) -> n
     return inside
 
 
-def _distances(rigid_object: RigidObject, points: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+def _distances(rigid_object: RigidObject, points: Floats, generator: np.random.Generator) -> Floats:
     """To the outer surface, shape (n,) [m]: to the triangles on which the nearest of many random points lie."""
     triangles, part, facet = whole_surface(rigid_object)
     drawn, index = random_points(triangles, TOUCHED, generator)

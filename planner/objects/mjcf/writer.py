@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.files.atomic_write import write_atomically
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.primitives import Primitive
@@ -21,7 +22,7 @@ REST = "rest"
 """Ends the name of the body around the one that fingers may touch."""
 
 
-def write_mjcf(path: Path, rigid_object: RigidObject, seen: np.ndarray) -> None:
+def write_mjcf(path: Path, rigid_object: RigidObject, seen: Floats) -> None:
     """Write an object so that reading it gives the same parts, in the same body frame.
 
     Args:
@@ -82,7 +83,7 @@ def _add_part(
     return geom
 
 
-def _add_mesh(assets: ElementTree.Element, name: str, vertices: np.ndarray, faces: Iterable[object] = ()) -> None:
+def _add_mesh(assets: ElementTree.Element, name: str, vertices: Floats, faces: Iterable[object] = ()) -> None:
     """A mesh; without faces, the hull of its vertices. Inertia "shell", because any surface has one."""
     mesh = ElementTree.SubElement(assets, "mesh", name=name, inertia="shell", vertex=_numbers(vertices))
     corners = np.array(list(faces), dtype=int)

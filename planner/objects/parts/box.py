@@ -5,6 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.parts.hull import convex_facets
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.pose import Pose
@@ -21,16 +22,16 @@ class Box(Polyhedron):
     pose: Pose
     """X_BG."""
 
-    half_lengths: np.ndarray
+    half_lengths: Floats
     """a, b, c along the axes of its own frame, shape (3,) [m]."""
 
     @property
-    def size(self) -> np.ndarray:
+    def size(self) -> Floats:
         """MuJoCo's size vector, shape (3,) [m]."""
         return self.half_lengths
 
     @classmethod
-    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Box":
+    def placed(cls, pose: Pose, size: Floats, *, geom: str, friction: float) -> "Box":
         """The box of these half edge lengths, shape (3,) [m], at `pose`; see `Primitive.placed`.
 
         Raises:

@@ -5,6 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.parts.tessellation import unit_sphere, unit_tube
 from planner.objects.pose import Pose
 from planner.objects.vectors import norm, unit
@@ -32,21 +33,21 @@ class Capsule:
     """h, half the length of the segment [m]."""
 
     @classmethod
-    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Capsule":
+    def placed(cls, pose: Pose, size: Floats, *, geom: str, friction: float) -> "Capsule":
         """See `Primitive.placed`."""
         return cls(geom=geom, friction=friction, pose=pose, radius=float(size[0]), half_length=float(size[1]))
 
     @property
-    def size(self) -> np.ndarray:
+    def size(self) -> Floats:
         """MuJoCo's size vector, shape (2,) [m]."""
         return np.array([self.radius, self.half_length])
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of the bounding box in B, shape (2, 3) [m]."""
         reach = self.radius + self.half_length * np.abs(self.pose.rotation[:, 2])
         return np.stack([self.pose.position - reach, self.pose.position + reach])
 
-    def triangles(self) -> tuple[np.ndarray, np.ndarray]:
+    def triangles(self) -> tuple[Floats, Indices]:
         """See `ConvexPart.triangles`."""
         caps = self.radius * unit_sphere()
         caps[..., 2] += self.half_length * np.sign(caps[..., 2].mean(axis=1))[:, None]
@@ -54,20 +55,20 @@ class Capsule:
         triangles = self.pose.to_body(np.concatenate([side, caps]))
         return triangles, np.zeros(len(triangles), dtype=int)
 
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+    def nearest_facet(self, points: Floats) -> Indices:
         """See `ConvexPart.nearest_facet`."""
         return np.zeros(len(points), dtype=int)
 
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """See `ConvexPart.project`."""
         axis_points, outward = self._foot(points)
         return self.pose.to_body(axis_points + self.radius * unit(outward)), self.pose.rotate(-unit(outward))
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """See `ConvexPart.depth`."""
         return self.radius - norm(self._foot(points)[1])
 
-    def _foot(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _foot(self, points: Floats) -> tuple[Floats, Floats]:
         """Nearest point of the segment, and the way from it to each point, in the geom's frame."""
         local = self.pose.to_local(points)
         foot = np.zeros_like(local)

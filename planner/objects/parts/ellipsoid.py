@@ -5,6 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.parts.tessellation import unit_sphere
 from planner.objects.pose import Pose
 from planner.objects.vectors import norm, unit
@@ -28,46 +29,46 @@ class Ellipsoid:
     pose: Pose
     """X_BG."""
 
-    semi_axes: np.ndarray
+    semi_axes: Floats
     """a, b, c along the axes of its own frame, shape (3,) [m]."""
 
     @classmethod
-    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Ellipsoid":
+    def placed(cls, pose: Pose, size: Floats, *, geom: str, friction: float) -> "Ellipsoid":
         """See `Primitive.placed`."""
         return cls(geom=geom, friction=friction, pose=pose, semi_axes=size)
 
     @property
-    def size(self) -> np.ndarray:
+    def size(self) -> Floats:
         """MuJoCo's size vector, shape (3,) [m]."""
         return self.semi_axes
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of the bounding box in B, shape (2, 3) [m]."""
         reach = norm(self.pose.rotation * self.semi_axes)
         return np.stack([self.pose.position - reach, self.pose.position + reach])
 
-    def triangles(self) -> tuple[np.ndarray, np.ndarray]:
+    def triangles(self) -> tuple[Floats, Indices]:
         """See `ConvexPart.triangles`."""
         triangles = self.pose.to_body(unit_sphere() * self.semi_axes)
         return triangles, np.zeros(len(triangles), dtype=int)
 
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+    def nearest_facet(self, points: Floats) -> Indices:
         """See `ConvexPart.nearest_facet`."""
         return np.zeros(len(points), dtype=int)
 
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """See `ConvexPart.project`."""
         gauge = self._nearest(self.pose.to_local(points)) / self.semi_axes
         on_sphere = unit(gauge)
         gradient = on_sphere / self.semi_axes
         return self.pose.to_body(on_sphere * self.semi_axes), self.pose.rotate(-unit(gradient))
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """See `ConvexPart.depth`; magnitude: the shortest semi-axis times 1 - gauge."""
         gauge = norm(self.pose.to_local(points) / self.semi_axes)
         return self.semi_axes.min() * (1 - gauge)
 
-    def _nearest(self, local: np.ndarray) -> np.ndarray:
+    def _nearest(self, local: Floats) -> Floats:
         """Nearest points of the surface: x_k = a_k^2 y_k / (t + a_k^2), with t the largest root of
 
             F(t) = sum_k (a_k y_k / (t + a_k^2))^2 - 1.

@@ -12,6 +12,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
+from planner.arrays import Floats, Indices
 from planner.errors import ObjectError
 from planner.millimetres import in_mm
 
@@ -32,20 +33,20 @@ MOST_COMPARED = 4096
 class Facets(NamedTuple):
     """The surface of a convex polyhedron."""
 
-    vertices: np.ndarray
+    vertices: Floats
     """Corners, shape (corners, 3) [m]."""
 
-    polygons: tuple[np.ndarray, ...]
+    polygons: tuple[Indices, ...]
     """For each facet the indices of its corners, counter-clockwise seen from outside."""
 
-    normals: np.ndarray
+    normals: Floats
     """Outward unit normals, shape (facets, 3)."""
 
-    offsets: np.ndarray
+    offsets: Floats
     """Distances of the facets' planes from the origin along their normals, shape (facets,) [m]."""
 
 
-def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
+def convex_facets(vertices: Floats, geom: str) -> Facets:
     """Corners and facets of the convex hull of some points.
 
     Args:
@@ -85,14 +86,14 @@ def convex_facets(vertices: np.ndarray, geom: str) -> Facets:
     )
 
 
-def _canonical(points: np.ndarray) -> np.ndarray:
+def _canonical(points: Floats) -> Floats:
     """Points sorted by their rounded coordinates, repeated ones kept once."""
     rounded = np.round(points, 9) + 0.0  # turns -0 into 0
     _, first = np.unique(rounded, axis=0, return_index=True)
     return points[first]
 
 
-def _thickness(points: np.ndarray, normals: np.ndarray, offsets: np.ndarray) -> float:
+def _thickness(points: Floats, normals: Floats, offsets: Floats) -> float:
     """Least width of a hull along its facets' normals, or a lower bound of it that is thick enough.
 
     The largest ball inside about the mean corner is such a bound; only of a thin hull all corners are asked.
@@ -104,7 +105,7 @@ def _thickness(points: np.ndarray, normals: np.ndarray, offsets: np.ndarray) -> 
     return float(min((offsets[some] - (points @ normals[some].T).min(axis=0)).min() for some in chunks))
 
 
-def _outlines(points: np.ndarray, hull: ConvexHull) -> list[np.ndarray]:
+def _outlines(points: Floats, hull: ConvexHull) -> list[Indices]:
     """Corners of each facet, counter-clockwise seen from outside."""
     triangles, normals = hull.simplices, hull.equations[:, :3]
     first, second, third = (points[triangles[:, corner]] for corner in range(3))
@@ -121,7 +122,7 @@ def _outlines(points: np.ndarray, hull: ConvexHull) -> list[np.ndarray]:
     return [outline for outline in outlines if len(outline) >= 3]
 
 
-def _clusters(points: np.ndarray, hull: ConvexHull) -> np.ndarray:
+def _clusters(points: Floats, hull: ConvexHull) -> Indices:
     """Number of the cluster of each triangle, shape (triangles,); coplanar ones are in the same cluster.
 
     Of few triangles all are in one. Of many, a cluster is what neighbours that are coplanar hold together: by convexity
@@ -135,13 +136,11 @@ def _clusters(points: np.ndarray, hull: ConvexHull) -> np.ndarray:
     alike = np.einsum("tnd,td->tn", normals[neighbours], normals) > 0
     triangle, side = np.nonzero((np.abs(heights) <= MERGE_TOLERANCE).all(axis=2) & alike)
     pairs = (np.ones(len(triangle), dtype=bool), (triangle, neighbours[triangle, side]))
-    labels: np.ndarray = connected_components(coo_array(pairs, shape=(count, count)), directed=False)[1]
+    labels: Indices = connected_components(coo_array(pairs, shape=(count, count)), directed=False)[1]
     return labels
 
 
-def _coplanar_groups(
-    points: np.ndarray, triangles: np.ndarray, planes: np.ndarray
-) -> list[tuple[np.ndarray, np.ndarray]]:
+def _coplanar_groups(points: Floats, triangles: Indices, planes: Floats) -> list[tuple[Indices, Floats]]:
     """Point indices and outward normal of each facet, gathered about the largest triangle not yet taken.
 
     Args:
@@ -167,20 +166,20 @@ def _coplanar_groups(
     return groups
 
 
-def _triangles(points: np.ndarray, corners: np.ndarray, normals: np.ndarray) -> np.ndarray:
+def _triangles(points: Floats, corners: Indices, normals: Floats) -> Indices:
     """Triangles, corners of shape (n, 3), made counter-clockwise about their normals, from the first corner on."""
     first, second, third = points[corners].transpose(1, 0, 2)
     clockwise = np.linalg.det(np.stack([first - third, second - third, normals], axis=1)) <= 0
     return np.where(clockwise[:, None], corners[:, [0, 2, 1]], corners)
 
 
-def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.ndarray:
+def _polygon(points: Floats, corners: Indices, normal: Floats) -> Indices:
     """Convex outline of coplanar points, counter-clockwise about `normal`, from the first corner on.
 
     Andrew's monotone chain; points within MERGE_TOLERANCE of an edge are not corners.
     """
     if len(corners) == 3:
-        outline: np.ndarray = _triangles(points, corners[None], normal[None])[0]
+        outline: Indices = _triangles(points, corners[None], normal[None])[0]
         return outline
     first_axis = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
     axes = np.stack([first_axis, np.cross(normal, first_axis)])
@@ -191,7 +190,7 @@ def _polygon(points: np.ndarray, corners: np.ndarray, normal: np.ndarray) -> np.
     return corners[chain[start:] + chain[:start]]
 
 
-def _half_outline(points: np.ndarray, order: np.ndarray) -> list[int]:
+def _half_outline(points: Floats, order: Indices) -> list[int]:
     """Corners on the right of the way from the first point to the last, without the last."""
     chain: list[int] = []
     for index in order:
@@ -204,7 +203,7 @@ def _half_outline(points: np.ndarray, order: np.ndarray) -> list[int]:
     return chain[:-1]
 
 
-def _planes(points: np.ndarray, polygons: list[np.ndarray]) -> np.ndarray:
+def _planes(points: Floats, polygons: list[Indices]) -> Floats:
     """Outward unit normal and offset of nearly flat polygons, from their vector areas (Newell), shape (n, 4).
 
     Polygons with equally many corners are done together.

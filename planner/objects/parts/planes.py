@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 from scipy.spatial.distance import cdist
 
+from planner.arrays import Floats, Indices
 from planner.objects.neighbour_blocks import neighbour_blocks
 from planner.objects.vectors import norm
 
@@ -35,16 +36,16 @@ ROUNDING = 1e-12
 class Planes:
     """The planes n_k . p = o_k of the facets."""
 
-    normals: np.ndarray
+    normals: Floats
     """Outward unit normals, shape (planes, 3)."""
 
-    offsets: np.ndarray
+    offsets: Floats
     """Distances from the origin along the normals, shape (planes,) [m]."""
 
-    middles: np.ndarray
+    middles: Floats
     """A point of each facet, shape (planes, 3) [m]."""
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """How far each point, shape (n, 3), lies below the nearest plane, negative above one, shape (n,) [m]."""
         if len(self.offsets) <= MOST_ASKED:
             chunks = [self.below(chunk).min(axis=1) for chunk in _chunks(points, CHUNK)]
@@ -52,7 +53,7 @@ class Planes:
             chunks = [self._nearest(chunk, 0.0)[0] for chunk in _chunks(points, FEW)]
         return np.concatenate(chunks) if chunks else np.zeros(0)
 
-    def nearest(self, points: np.ndarray, tie: float) -> np.ndarray:
+    def nearest(self, points: Floats, tie: float) -> Indices:
         """The first of the planes below which each point lies by at most `tie` [m] more than the least, shape (n,)."""
         if len(self.offsets) <= MOST_ASKED:
             chunks = [_first(self.below(chunk), tie) for chunk in _chunks(points, CHUNK)]
@@ -60,11 +61,11 @@ class Planes:
             chunks = [self._nearest(chunk, tie)[1] for chunk in _chunks(points, FEW)]
         return np.concatenate(chunks) if chunks else np.zeros(0, dtype=int)
 
-    def below(self, points: np.ndarray) -> np.ndarray:
+    def below(self, points: Floats) -> Floats:
         """How far each point lies below each plane, shape (n, planes) [m]."""
         return self.offsets - points @ self.normals.T
 
-    def _nearest(self, points: np.ndarray, tie: float) -> tuple[np.ndarray, np.ndarray]:
+    def _nearest(self, points: Floats, tie: float) -> tuple[Floats, Indices]:
         """Depth below the nearest plane, and the first of those that are as near but for the tie."""
         bounds = self._blocks.bounds(points)
         everyone = np.arange(len(points))
@@ -80,7 +81,7 @@ class Planes:
             np.minimum.at(first, point[some], planes.min(axis=1))
         return depths, first
 
-    def _asked(self, points: np.ndarray, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+    def _asked(self, points: Floats, point: Indices, block: Indices) -> Floats:
         """How far some points lie below the planes of one block each, shape (asked, planes of a block) [m]."""
         planes = self._blocks.planes[block]
         return self.offsets[planes] - np.einsum("apd,ad->ap", self.normals[planes], points[point])
@@ -104,30 +105,30 @@ class Planes:
 class _Blocks:
     """Planes in blocks of neighbours, with what bounds them: e, m, r, q of the module's docstring."""
 
-    planes: np.ndarray
+    planes: Indices
     """Their numbers, shape (blocks, planes of a block)."""
 
-    normals: np.ndarray
+    normals: Floats
     """m, shape (blocks, 3)."""
 
-    spreads: np.ndarray
+    spreads: Floats
     """r, shape (blocks,)."""
 
-    near: np.ndarray
+    near: Floats
     """q, shape (blocks, 3) [m]."""
 
-    depths: np.ndarray
+    depths: Floats
     """e, a little less for rounding, shape (blocks,) [m]."""
 
-    def bounds(self, points: np.ndarray) -> np.ndarray:
+    def bounds(self, points: Floats) -> Floats:
         """Depths below which no point, shape (n, 3), lies under a plane of each block, shape (n, blocks) [m]."""
         along = self.depths + (self.normals * self.near).sum(axis=1) - points @ self.normals.T
         return along - self.spreads * cdist(points, self.near)
 
 
-def _first(below: np.ndarray, tie: float) -> np.ndarray:
+def _first(below: Floats, tie: float) -> Indices:
     return (below <= below.min(axis=1, keepdims=True) + tie).argmax(axis=1)
 
 
-def _chunks(points: np.ndarray, size: int) -> list[np.ndarray]:
+def _chunks(points: Floats, size: int) -> list[Floats]:
     return [points[start : start + size] for start in range(0, len(points), size)]

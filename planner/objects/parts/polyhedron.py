@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from planner.arrays import Floats, Indices
 from planner.objects.parts.hull import MERGE_TOLERANCE, convex_facets
 from planner.objects.parts.planes import MOST_ASKED, Planes
 from planner.objects.vectors import norm
@@ -30,20 +31,20 @@ class Polyhedron:
     friction: float
     """Sliding friction coefficient."""
 
-    vertices: np.ndarray
+    vertices: Floats
     """Corners, shape (corners, 3) [m]."""
 
-    polygons: tuple[np.ndarray, ...]
+    polygons: tuple[Indices, ...]
     """For each facet the indices of its corners, counter-clockwise seen from outside."""
 
-    normals: np.ndarray
+    normals: Floats
     """Outward unit normals, shape (facets, 3)."""
 
-    offsets: np.ndarray
+    offsets: Floats
     """Distances of the facets' planes from the origin along their normals, shape (facets,) [m]."""
 
     @classmethod
-    def hull(cls, vertices: np.ndarray, *, geom: str, friction: float) -> "Polyhedron":
+    def hull(cls, vertices: Floats, *, geom: str, friction: float) -> "Polyhedron":
         """Convex hull of `vertices`, shape (n, 3) [m].
 
         Raises:
@@ -51,11 +52,11 @@ class Polyhedron:
         """
         return cls(geom=geom, friction=friction, **convex_facets(vertices, geom)._asdict())
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of the bounding box in B, shape (2, 3) [m]."""
         return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
-    def triangles(self) -> tuple[np.ndarray, np.ndarray]:
+    def triangles(self) -> tuple[Floats, Indices]:
         """Each facet fanned about its first corner; see `ConvexPart.triangles`."""
         corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
         facets = np.repeat(np.arange(len(counts)), counts - 2)
@@ -63,11 +64,11 @@ class Polyhedron:
         second = np.arange(len(facets)) + 2 * facets + 1  # every facet before has two corners more than triangles
         return self.vertices[corners[np.column_stack([first, second, second + 1])]], facets
 
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+    def nearest_facet(self, points: Floats) -> Indices:
         """See `ConvexPart.nearest_facet`; the first of equally near facets."""
         return self._planes.nearest(points, TIE * self._length)
 
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """See `ConvexPart.project`."""
         normals = self.normals[facets]
         height = (points * normals).sum(axis=1) - self.offsets[facets]
@@ -78,7 +79,7 @@ class Polyhedron:
             feet[index] = _nearest_in_polygon(self.vertices[self.polygons[facets[index]]], normals[index], feet[index])
         return feet, -normals
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """See `ConvexPart.depth`; of many facets the nearest is sought only for points outside of the core."""
         if len(self.offsets) <= MOST_ASKED:
             return self._planes.depth(points)
@@ -87,7 +88,7 @@ class Polyhedron:
         depths[outside] = self._planes.depth(points[outside])
         return depths
 
-    def _beside(self, feet: np.ndarray, facets: np.ndarray) -> np.ndarray:
+    def _beside(self, feet: Floats, facets: Indices) -> Indices:
         """Indices of the points of facets' planes that are not in the first triangle of their facet."""
         corners = self.vertices[np.array([self.polygons[facet][:3] for facet in facets]).reshape(-1, 3)]
         edges = np.roll(corners, -1, axis=1) - corners
@@ -113,7 +114,7 @@ class Polyhedron:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
 
-def edge_distances(corners: np.ndarray, normal: np.ndarray, points: np.ndarray) -> np.ndarray:
+def edge_distances(corners: Floats, normal: Floats, points: Floats) -> Floats:
     """Signed distances of coplanar points from the edges of a convex polygon, positive inside.
 
     Args:
@@ -129,7 +130,7 @@ def edge_distances(corners: np.ndarray, normal: np.ndarray, points: np.ndarray) 
     return points @ inward.T - (corners * inward).sum(axis=1)
 
 
-def _nearest_in_polygon(corners: np.ndarray, normal: np.ndarray, point: np.ndarray) -> np.ndarray:
+def _nearest_in_polygon(corners: Floats, normal: Floats, point: Floats) -> Floats:
     """Nearest point of a convex polygon to a point of its plane, shape (3,)."""
     if (edge_distances(corners, normal, point[None]) >= 0).all():
         return point

@@ -6,8 +6,7 @@ simulation's scene follow.
 
 from typing import Protocol, runtime_checkable
 
-import numpy as np
-
+from planner.arrays import Floats
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
 from planner.objects.parts.cylinder import Cylinder
@@ -26,11 +25,11 @@ class Primitive(ConvexPart, Protocol):
         """X_BG."""
 
     @property
-    def size(self) -> np.ndarray:
+    def size(self) -> Floats:
         """MuJoCo's size vector, without the numbers that this shape does not use [m]."""
 
     @classmethod
-    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> ConvexPart:
+    def placed(cls, pose: Pose, size: Floats, *, geom: str, friction: float) -> ConvexPart:
         """The part of a geom.
 
         Args:

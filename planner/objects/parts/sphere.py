@@ -5,6 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.parts.tessellation import unit_sphere
 from planner.objects.pose import Pose
 from planner.objects.vectors import norm, unit
@@ -29,33 +30,33 @@ class Sphere:
     """r [m]."""
 
     @classmethod
-    def placed(cls, pose: Pose, size: np.ndarray, *, geom: str, friction: float) -> "Sphere":
+    def placed(cls, pose: Pose, size: Floats, *, geom: str, friction: float) -> "Sphere":
         """See `Primitive.placed`."""
         return cls(geom=geom, friction=friction, pose=pose, radius=float(size[0]))
 
     @property
-    def size(self) -> np.ndarray:
+    def size(self) -> Floats:
         """MuJoCo's size vector, shape (1,) [m]."""
         return np.array([self.radius])
 
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> Floats:
         """Lower and upper corner of the bounding box in B, shape (2, 3) [m]."""
         return np.stack([self.pose.position - self.radius, self.pose.position + self.radius])
 
-    def triangles(self) -> tuple[np.ndarray, np.ndarray]:
+    def triangles(self) -> tuple[Floats, Indices]:
         """See `ConvexPart.triangles`."""
         triangles = self.pose.to_body(self.radius * unit_sphere())
         return triangles, np.zeros(len(triangles), dtype=int)
 
-    def nearest_facet(self, points: np.ndarray) -> np.ndarray:
+    def nearest_facet(self, points: Floats) -> Indices:
         """See `ConvexPart.nearest_facet`."""
         return np.zeros(len(points), dtype=int)
 
-    def project(self, points: np.ndarray, facets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """See `ConvexPart.project`."""
         outward = unit(self.pose.to_local(points))
         return self.pose.to_body(self.radius * outward), self.pose.rotate(-outward)
 
-    def depth(self, points: np.ndarray) -> np.ndarray:
+    def depth(self, points: Floats) -> Floats:
         """See `ConvexPart.depth`."""
         return self.radius - norm(points - self.pose.position)

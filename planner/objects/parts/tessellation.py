@@ -5,13 +5,14 @@ Refined by bisection: square roots round alike on every platform, sines and cosi
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.vectors import norm, unit
 
 BISECTIONS = 3
 """Each quarter of a circle is cut into 2^BISECTIONS arcs: chords stay within 0.5 % of the radius."""
 
 
-def quarter(triangles: np.ndarray) -> np.ndarray:
+def quarter(triangles: Floats) -> Floats:
     """Cut each triangle into four at the middles of its edges, shape (4 triangles, 3, 3); winding is kept."""
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
@@ -19,7 +20,7 @@ def quarter(triangles: np.ndarray) -> np.ndarray:
     return np.concatenate([np.stack(corners, axis=1) for corners in quarters])
 
 
-def halve(triangles: np.ndarray) -> np.ndarray:
+def halve(triangles: Floats) -> Floats:
     """Cut each triangle into two at the middle of its longest edge, shape (2 triangles, 3, 3); winding is kept."""
     longest = norm(np.roll(triangles, -1, axis=1) - triangles).argmax(axis=1)
     corners = (longest[:, None] + np.arange(3)) % 3
@@ -28,7 +29,7 @@ def halve(triangles: np.ndarray) -> np.ndarray:
     return np.concatenate([np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)])
 
 
-def unit_sphere() -> np.ndarray:
+def unit_sphere() -> Floats:
     """The octahedron's eight faces, refined; none crosses a coordinate plane, shape (triangles, 3, 3)."""
     x, y, z = np.eye(3)
     upper = [(x, y, z), (y, -x, z), (-x, -y, z), (-y, x, z)]
@@ -39,7 +40,7 @@ def unit_sphere() -> np.ndarray:
     return triangles
 
 
-def unit_circle() -> np.ndarray:
+def unit_circle() -> Floats:
     """Counter-clockwise corners of a regular polygon, the first at angle zero, shape (corners, 2)."""
     corners = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
     for _ in range(BISECTIONS):
@@ -48,7 +49,7 @@ def unit_circle() -> np.ndarray:
     return corners
 
 
-def unit_tube() -> np.ndarray:
+def unit_tube() -> Floats:
     """Side of the cylinder of radius 1 over |z| <= 1, two triangles per chord, shape (triangles, 3, 3)."""
     ring = unit_circle()
     low, high = (np.column_stack([ring, np.full(len(ring), z)]) for z in (-1.0, 1.0))
@@ -56,7 +57,7 @@ def unit_tube() -> np.ndarray:
     return np.concatenate([np.stack([low, low_next, high_next], 1), np.stack([low, high_next, high], 1)])
 
 
-def unit_disc() -> np.ndarray:
+def unit_disc() -> Floats:
     """The unit disc at z = 0 seen from +z, fanned about its centre, shape (triangles, 3, 3)."""
     ring = np.column_stack([unit_circle(), np.zeros(len(unit_circle()))])
     return np.stack([np.zeros_like(ring), ring, np.roll(ring, -1, axis=0)], axis=1)

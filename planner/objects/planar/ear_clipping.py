@@ -6,12 +6,13 @@ three corners has at least two, so they can be cut off one after another. Source
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 from planner.objects.planar.simple_polygon import cross
 from planner.objects.vectors import norm
 
 
-def triangles(corners: np.ndarray) -> list[tuple[int, int, int]]:
+def triangles(corners: Floats) -> list[tuple[int, int, int]]:
     """Triangles that fill the polygon without overlap; always the ear with the shortest cut, which avoids slivers.
 
     Args:
@@ -36,13 +37,13 @@ def triangles(corners: np.ndarray) -> list[tuple[int, int, int]]:
     return [*cut_off, (first, second, third)]
 
 
-def is_convex(corners: np.ndarray) -> bool:
+def is_convex(corners: Floats) -> bool:
     """Whether a simple polygon, counter-clockwise, turns left at every corner."""
     edges = np.roll(corners, -1, axis=0) - corners
     return bool((cross(np.roll(edges, 1, axis=0), edges) > 0).all())
 
 
-def _is_ear(corners: np.ndarray, place: int) -> bool:
+def _is_ear(corners: Floats, place: int) -> bool:
     """Whether the corner turns left and no other corner lies in its triangle or on its cut."""
     around = [(place - 1) % len(corners), place, (place + 1) % len(corners)]
     before, corner, after = corners[around]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.planar.ear_clipping import is_convex, triangles
 from planner.objects.planar.planar_object import PlanarObject
@@ -47,7 +48,7 @@ def extruded(planar: PlanarObject) -> Slab:
     )
 
 
-def _inertia(planar: PlanarObject) -> np.ndarray:
+def _inertia(planar: PlanarObject) -> Floats:
     """Of the uniform slab about its centre of mass, shape (3, 3) [kg m^2].
 
     From the mean of r r^T over the area, summed over the triangles (0, a, b) between the centre and each edge: such

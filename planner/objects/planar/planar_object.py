@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.objects.object_source import ObjectSource
 from planner.objects.part import Part
 from planner.objects.planar.outline import Outline
@@ -49,22 +50,22 @@ class PlanarObject:
         return (self.outline,)
 
     @property
-    def torsions(self) -> np.ndarray:
+    def torsions(self) -> Floats:
         """The plane has no normal to turn about, shape (1,)."""
         return np.zeros(1)
 
     @property
-    def touchable(self) -> np.ndarray:
+    def touchable(self) -> Mask:
         """Fingers may touch the outline, shape (1,)."""
         return np.ones(1, dtype=bool)
 
     @property
-    def center_of_mass(self) -> np.ndarray:
+    def center_of_mass(self) -> Floats:
         """Of a uniform object: the centroid of its area, shape (2,) [m]."""
         return self.outline.centroid
 
     @property
-    def extent(self) -> np.ndarray:
+    def extent(self) -> Floats:
         """Edge lengths of the outline's bounding box, shape (2,) [m]."""
         return np.ptp(self.outline.bounds(), axis=0)
 

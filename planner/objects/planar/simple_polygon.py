@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 from planner.objects.vectors import norm
 
@@ -18,7 +19,7 @@ LEAST_TURN = 1e-6
 """Sine of the least angle by which the line turns at a corner."""
 
 
-def simple_polygon(corners: np.ndarray, name: str) -> np.ndarray:
+def simple_polygon(corners: Floats, name: str) -> Floats:
     """The corners, counter-clockwise; corner 0 stays the first.
 
     Args:
@@ -37,18 +38,18 @@ def simple_polygon(corners: np.ndarray, name: str) -> np.ndarray:
     return corners if signed_area(corners) > 0 else np.roll(corners[::-1], 1, axis=0)
 
 
-def signed_area(corners: np.ndarray) -> float:
+def signed_area(corners: Floats) -> float:
     """Area, positive if the corners run counter-clockwise (shoelace formula) [m^2]."""
     arms = corners - corners[0]
     return float(cross(arms, np.roll(arms, -1, axis=0)).sum() / 2)
 
 
-def cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+def cross(first: Floats, second: Floats) -> Floats:
     """Cross product of plane vectors, shape (..., 2): positive where `second` points to the left of `first`."""
     return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
 
-def _check_corners(corners: np.ndarray, name: str) -> None:
+def _check_corners(corners: Floats, name: str) -> None:
     if not 3 <= len(corners) <= MOST_CORNERS:
         raise ObjectError(f"the outline of '{name}' has {len(corners)} corners; 3 to {MOST_CORNERS} are allowed")
     outside = np.flatnonzero(~(np.abs(corners) <= LARGEST).all(axis=1))  # what is no number too
@@ -59,7 +60,7 @@ def _check_corners(corners: np.ndarray, name: str) -> None:
         )
 
 
-def _check_distinct(corners: np.ndarray, least: float, name: str) -> None:
+def _check_distinct(corners: Floats, least: float, name: str) -> None:
     first, second = np.triu_indices(len(corners), 1)
     same = np.flatnonzero(norm(corners[first] - corners[second]) <= least)
     if len(same):
@@ -69,14 +70,14 @@ def _check_distinct(corners: np.ndarray, least: float, name: str) -> None:
         )
 
 
-def _check_turns(corners: np.ndarray, name: str) -> None:
+def _check_turns(corners: Floats, name: str) -> None:
     arriving, leaving = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
     sines = np.abs(cross(arriving, leaving)) / (norm(arriving) * norm(leaving))
     if sines.min() <= LEAST_TURN:
         raise ObjectError(f"corner {sines.argmin()} of '{name}' is in line with its two neighbours; leave it out")
 
 
-def _check_edges_apart(corners: np.ndarray, least: float, name: str) -> None:
+def _check_edges_apart(corners: Floats, least: float, name: str) -> None:
     """Only neighbouring edges meet, in their common corner."""
     edges = np.roll(corners, -1, axis=0) - corners
     first, second = np.triu_indices(len(corners), 2)
@@ -90,7 +91,7 @@ def _check_edges_apart(corners: np.ndarray, least: float, name: str) -> None:
         )
 
 
-def _distances(starts: np.ndarray, edges: np.ndarray, other_starts: np.ndarray, other_edges: np.ndarray) -> np.ndarray:
+def _distances(starts: Floats, edges: Floats, other_starts: Floats, other_edges: Floats) -> Floats:
     """Distances between segments, pair by pair, shape (pairs,): zero where they cross, else from some end [m]."""
     ends, other_ends = starts + edges, other_starts + other_edges
     splits = cross(edges, other_starts - starts) * cross(edges, other_ends - starts) < 0
@@ -102,7 +103,7 @@ def _distances(starts: np.ndarray, edges: np.ndarray, other_starts: np.ndarray, 
     return np.where(splits & split, 0.0, np.min(from_ends, axis=0))
 
 
-def _from_segment(points: np.ndarray, starts: np.ndarray, edges: np.ndarray) -> np.ndarray:
+def _from_segment(points: Floats, starts: Floats, edges: Floats) -> Floats:
     """Distance of each point from its segment, shape (pairs,) [m]."""
     along = ((points - starts) * edges).sum(axis=1) / (edges * edges).sum(axis=1)
     return norm(points - starts - np.clip(along, 0, 1)[:, None] * edges)

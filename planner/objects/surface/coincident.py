@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Floats, Mask
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import ConvexPart, RigidObject
 
@@ -41,7 +42,7 @@ def finger_parts(rigid_object: Graspable) -> list[int]:
     return [index for index in np.flatnonzero(touchable).tolist() if index not in held]
 
 
-def parts_through(rigid_object: Graspable, points: np.ndarray) -> np.ndarray:
+def parts_through(rigid_object: Graspable, points: Floats) -> Mask:
     """Which parts have each point of the outside of the union on their surface, shape (points, parts).
 
     Args:

@@ -8,6 +8,7 @@ parts, too narrow for any fingertip.
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.objects.graspable import Graspable
 from planner.objects.rigid_object import RigidObject
 from planner.objects.surface.coincident import covered_parts
@@ -23,7 +24,7 @@ SEAM = 1e-3
 of the first probe."""
 
 
-def exposed(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray) -> np.ndarray:
+def exposed(rigid_object: Graspable, points: Floats, normals: Floats, part: Indices) -> Mask:
     """Whether surface points are on the outer surface of the union.
 
     Args:
@@ -46,8 +47,8 @@ def exposed(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, pa
 
 
 def reachable(
-    rigid_object: Graspable, points: np.ndarray, normals: np.ndarray, part: np.ndarray, fingertip: float | None = None
-) -> np.ndarray:
+    rigid_object: Graspable, points: Floats, normals: Floats, part: Indices, fingertip: float | None = None
+) -> Mask:
     """Whether a fingertip touching the outer surface at a point keeps clear of all other parts.
 
     The fingertip is a ball. Distances to other parts are taken to the

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import ObjectError
 from planner.objects.parts.tessellation import halve
 from planner.objects.rigid_object import RigidObject
@@ -24,7 +25,7 @@ BATCH, MOST_BATCHES = 1024, 400
 """Triangles cut at once, and how often at most: ten times what the worst object seen took (38)."""
 
 
-def surface_distance(rigid_object: RigidObject, point: np.ndarray) -> float:
+def surface_distance(rigid_object: RigidObject, point: Floats) -> float:
     """Distance from `point` to the nearest exposed point of the union of the parts' surfaces.
 
     Exact (to rounding) for a single part, and wherever the facet nearest to the point is exposed there.
@@ -72,10 +73,10 @@ def _whole_surface(rigid_object: RigidObject) -> "_Patches":
 class _Patches:
     """Triangles with corners on the parts' surfaces, each standing for the patch of surface above it."""
 
-    def __init__(self, rigid_object: RigidObject, triangles: np.ndarray, facets: np.ndarray, part: np.ndarray) -> None:
+    def __init__(self, rigid_object: RigidObject, triangles: Floats, facets: Indices, part: Indices) -> None:
         self.object, self.triangles, self.facets, self.part = rigid_object, triangles, facets, part
 
-    def subset(self, chosen: np.ndarray) -> "_Patches":
+    def subset(self, chosen: Indices | Mask) -> "_Patches":
         """The patches at the given indices, or where the given mask is true."""
         return _Patches(self.object, self.triangles[chosen], self.facets[chosen], self.part[chosen])
 
@@ -93,7 +94,7 @@ class _Patches:
             cut.triangles[:, corner] = cut.project(cut.triangles[:, corner])[0]
         return cut
 
-    def least_exposed_distance(self, point: np.ndarray) -> float:
+    def least_exposed_distance(self, point: Floats) -> float:
         """Least distance of an exposed surface point found on the patches [m]; infinite if none is found.
 
         The nearest point of each curved facet is tried too: it is no point of a triangle.
@@ -108,7 +109,7 @@ class _Patches:
             distances.extend(norm(feet[exposed(self.object, feet, normals, patches.part)] - point))
         return float(min(distances))
 
-    def lower_bounds(self, point: np.ndarray) -> np.ndarray:
+    def lower_bounds(self, point: Floats) -> Floats:
         """Distances below which no point of each patch lies, shape (triangles,) [m]."""
         bounds = norm(nearest_on_triangles(self.triangles, point) - point) - self.bulges
         curved = self.bulges > 0
@@ -116,11 +117,11 @@ class _Patches:
         bounds[curved] = np.maximum(bounds[curved], norm(facet_feet - point))
         return bounds
 
-    def lengths(self) -> np.ndarray:
+    def lengths(self) -> Floats:
         """Longest edge of each triangle, shape (triangles,) [m]."""
         return norm(self.triangles - np.roll(self.triangles, 1, axis=1)).max(axis=1)
 
-    def buried(self) -> np.ndarray:
+    def buried(self) -> Mask:
         """Whether one other part holds the whole patch, lifted to a height of `exposed`, shape (triangles,)."""
         _, normals = self.project(self.triangles.mean(axis=1))
         margin, inside = self.bulges, np.zeros(len(self.part), dtype=bool)
@@ -132,13 +133,13 @@ class _Patches:
         return inside
 
     @cached_property
-    def bulges(self) -> np.ndarray:
+    def bulges(self) -> Floats:
         """Twice the rise of the surface above the middle of each triangle, zero on flat facets, shape (n,) [m]."""
         middles = self.triangles.mean(axis=1)
         rises = norm(self.project(middles)[0] - middles)
         return np.where(rises > 1e-12 * self.object.size, 2 * rises, 0.0)
 
-    def project(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: Floats) -> tuple[Floats, Floats]:
         """Surface points and inward normals of the triangles' facets nearest to one point each."""
         feet, normals = np.empty(points.shape), np.empty(points.shape)
         for index in np.unique(self.part):
@@ -147,7 +148,7 @@ class _Patches:
         return feet, normals
 
 
-def nearest_on_triangles(triangles: np.ndarray, point: np.ndarray) -> np.ndarray:
+def nearest_on_triangles(triangles: Floats, point: Floats) -> Floats:
     """Nearest point of each triangle, shape (n, 3, 3), to a point, shape (3,), or to one each, shape (n, 3).
 
     It is the foot on the triangle's plane or on an edge.

@@ -2,12 +2,11 @@
 
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.objects.graspable import Graspable
 
 
-def project(
-    rigid_object: Graspable, points: np.ndarray, part: np.ndarray, facet: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def project(rigid_object: Graspable, points: Floats, part: Indices, facet: Indices) -> tuple[Floats, Floats]:
     """Points of the exact surface nearest to given ones on given facets, and the inward unit normals there.
 
     Args:

@@ -6,6 +6,7 @@ n_k . p = o_k and n = -n_k for some k. Curved parts and outlines: p is its own p
 
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.grasps.grasp import Grasp
 from planner.millimetres import point_in_mm
 from planner.objects.graspable import Graspable
@@ -59,7 +60,8 @@ def check_friction(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     else:
         there = _parts_at(rigid_object, candidates.points, candidates.normals)
         own = np.array([part.friction for part in rigid_object.parts])
-        right = (there & _same(candidates.friction, share * own[:, None])).any(axis=0) | ~there.any(axis=0)
+        alike = there & _same(candidates.friction, share * own[:, None])
+        right = np.where(there.any(axis=0), alike.any(axis=0), True)
     return checked(claim, bool(right.all()), f"{len(right) - right.sum()} of {len(right)} have another")
 
 
@@ -77,11 +79,11 @@ def check_geoms(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     return checked(claim, not wrong, "; ".join(wrong) or "each on its own")
 
 
-def _same(friction: np.ndarray, expected: np.ndarray) -> np.ndarray:
+def _same(friction: Floats, expected: Floats) -> Mask:
     return np.abs(friction - expected) <= SAME_FRICTION * expected
 
 
-def _parts_at(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray) -> np.ndarray:
+def _parts_at(rigid_object: Graspable, points: Floats, normals: Floats) -> Mask:
     """On the outer surface of which parts, of those that fingers may touch, each point lies, shape (parts, n)."""
     tolerance = ON_SURFACE * rigid_object.size
     there = np.zeros((len(rigid_object.parts), len(points)), dtype=bool)
@@ -96,7 +98,7 @@ def _parts_at(rigid_object: Graspable, points: np.ndarray, normals: np.ndarray) 
     return there
 
 
-def _on_planes(part: Polyhedron, points: np.ndarray, normals: np.ndarray, tolerance: float) -> np.ndarray:
+def _on_planes(part: Polyhedron, points: Floats, normals: Floats, tolerance: float) -> Mask:
     """Whether each point lies on a polyhedron, on a facet with its normal, shape (n,)."""
     on, step = np.zeros(len(points), dtype=bool), max(1, CHUNK // len(part.offsets))
     for start in range(0, len(points), step):
@@ -108,7 +110,7 @@ def _on_planes(part: Polyhedron, points: np.ndarray, normals: np.ndarray, tolera
     return on
 
 
-def _on_facets(part: Part, points: np.ndarray, normals: np.ndarray, tolerance: float) -> np.ndarray:
+def _on_facets(part: Part, points: Floats, normals: Floats, tolerance: float) -> Mask:
     """Whether each point is its own projection on some facet of a part, with its normal, shape (n,)."""
     on = np.zeros(len(points), dtype=bool)
     for facets in _facets_near(part, points, normals, tolerance):
@@ -117,7 +119,7 @@ def _on_facets(part: Part, points: np.ndarray, normals: np.ndarray, tolerance: f
     return on
 
 
-def _facets_near(part: Part, points: np.ndarray, normals: np.ndarray, tolerance: float) -> list[np.ndarray]:
+def _facets_near(part: Part, points: Floats, normals: Floats, tolerance: float) -> list[Indices]:
     """Facets that each point may lie on, each of shape (n,): all edges of an outline, else that under the point.
 
     On the edge of two facets, the one with the point's normal is under the point lifted along that normal.

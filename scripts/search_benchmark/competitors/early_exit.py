@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
 
@@ -18,7 +19,7 @@ class EarlyExit:
         """Inner problems solved so far."""
         return self._evaluator.solves
 
-    def rho_below(self, subset: np.ndarray, level: float) -> float:
+    def rho_below(self, subset: Indices, level: float) -> float:
         """rho_N where it is below the level, else infinity.
 
         The wrench that exceeded the level last is tried first: it is likely to do so again.

@@ -11,6 +11,7 @@ import time
 import highspy
 import numpy as np
 
+from planner.arrays import Floats, Indices
 from planner.forces.quiet_highs import QuietHighs
 from planner.search.cuts import CutTable
 from planner.search.evaluation import Evaluator
@@ -80,7 +81,7 @@ class _Model:
             seconds=self.seconds, finished=self.proven, rho=self.rho, lower_bound=self.lower_bound, note=note
         )
 
-    def _evaluate(self, subset: np.ndarray) -> None:
+    def _evaluate(self, subset: Indices) -> None:
         """All wrenches; each that the table had not foreseen becomes a row."""
         foreseen = self.cuts.bound(subset)[0]
         solutions = [self.evaluator.solve(subset, vertex) for vertex in range(len(self.problem.wrenches))]
@@ -89,7 +90,7 @@ class _Model:
             if self.cuts.add_if_below(direction, subset, foreseen * (1 - VIOLATED)):
                 self._add_row(self.cuts.values[:, -1])
 
-    def _add_row(self, values: np.ndarray) -> None:
+    def _add_row(self, values: Floats) -> None:
         """t - sum_i a_i x_i <= 0."""
         coefficients = np.append(-values / self.unit, 1.0)
         self.master.addRow(-highspy.kHighsInf, 0.0, len(coefficients), np.arange(len(coefficients)), coefficients)

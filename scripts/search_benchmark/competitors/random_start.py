@@ -4,13 +4,14 @@ import time
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.search.problem import SearchProblem
 from scripts.search_benchmark.competitors.early_exit import EarlyExit
 
 
 def random_start(
     problem: SearchProblem, inner: EarlyExit, generator: np.random.Generator, deadline: float
-) -> tuple[np.ndarray, float]:
+) -> tuple[Indices, float]:
     """Random subsets until one resists W_R or the deadline (of `time.perf_counter`) passes; it and its rho [N]."""
     rho = np.inf
     while True:

@@ -4,6 +4,7 @@ import time
 
 import numpy as np
 
+from planner.arrays import Indices
 from planner.search.problem import SearchProblem
 from scripts.search_benchmark.competitors.early_exit import EarlyExit
 from scripts.search_benchmark.competitors.random_start import random_start
@@ -29,7 +30,7 @@ def restart(problem: SearchProblem, seconds: float, seed: int) -> float:
 def descend(
     problem: SearchProblem,
     inner: EarlyExit,
-    subset: np.ndarray,
+    subset: Indices,
     rho: float,
     generator: np.random.Generator,
     deadline: float,

@@ -10,6 +10,8 @@ from math import comb, gcd
 
 import numpy as np
 
+from planner.arrays import Indices
+
 
 class ScatteredSubsets:
     """A sequence of C(n, m) subsets, computed and never stored."""
@@ -24,7 +26,7 @@ class ScatteredSubsets:
     def __len__(self) -> int:
         return self._total
 
-    def __getitem__(self, number: int) -> np.ndarray:
+    def __getitem__(self, number: int) -> Indices:
         """Subset of one number in 0 <= number < C(n, m), shape (m,), ascending."""
         rank = number * self._stride % self._total
         members = []

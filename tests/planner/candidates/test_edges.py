@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from planner.arrays import Floats, Indices
 from planner.candidates.choice import make_candidates
 from planner.candidates.edges import edge_candidates, edge_grid
 from planner.errors import CandidateError
@@ -20,7 +21,7 @@ def asset(name: str) -> PlanarObject:
     return planar
 
 
-def positions(planar: PlanarObject, points: np.ndarray, edges: np.ndarray) -> np.ndarray:
+def positions(planar: PlanarObject, points: Floats, edges: Indices) -> Floats:
     """Distances of points on given edges from corner 0 along the outline [m]."""
     before = np.concatenate([[0.0], planar.outline.lengths.cumsum()])
     return before[edges] + np.linalg.norm(points - planar.outline.corners[edges], axis=1)

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.candidates.farthest import farthest_points
 from planner.objects.neighbour_blocks import neighbour_blocks
 
 
-def plain_farthest_points(pool: np.ndarray, count: int) -> list[int]:
+def plain_farthest_points(pool: Floats, count: int) -> list[int]:
     chosen = [0]
     for _ in range(count - 1):
         distances = ((pool[:, None] - pool[chosen]) ** 2).sum(axis=2).min(axis=1)

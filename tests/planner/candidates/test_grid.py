@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.candidates.case3 import case3_points
 from planner.candidates.grid import grid_candidates
 from planner.errors import CandidateError
@@ -10,7 +11,7 @@ from planner.objects.parts.polyhedron import Polyhedron
 from tests.strategies.parts import FRICTION, NAME, PRISM_CORNERS, box, rigid_object, tilted_parts
 
 
-def as_set(points: np.ndarray) -> set[tuple[float, ...]]:
+def as_set(points: Floats) -> set[tuple[float, ...]]:
     return {tuple(point) for point in np.round(points, 9) + 0.0}
 
 

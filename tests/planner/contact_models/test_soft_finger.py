@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import dblquad
 
+from planner.arrays import Floats
 from planner.contact_models import friction_cone
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contact_models.soft_finger import EVEN_DISC, SOFT_FINGER, torsion_of_patch
@@ -16,21 +17,21 @@ from tests.strategies.force_problems import random_contacts, soft
 TRIALS = 4000
 
 
-def velocities(seed: int) -> tuple[np.ndarray, np.ndarray]:
+def velocities(seed: int) -> tuple[Floats, Floats]:
     """v in contact frames, components over seven decades, shape (TRIALS, 4); mu, shape (TRIALS,)."""
     rng = np.random.default_rng(seed)
     v = rng.normal(size=(TRIALS, 4)) * 10.0 ** rng.uniform(-3.5, 3.5, size=(TRIALS, 4))
     return v, rng.uniform(0.05, 1.5, TRIALS)
 
 
-def primal(v: np.ndarray, friction: np.ndarray) -> np.ndarray:
+def primal(v: Floats, friction: Floats) -> Floats:
     """max of v.x over x = (cos t, sin t, twist) on the border of the cone: by bisection on a grid, from below.
 
     The force is of length 1 and at the angle t to the normal; what is left of the cone turns, v_4 sqrt(...).
     """
     along, across, turning = v[:, 0], np.hypot(v[:, 1], v[:, 2]), np.abs(v[:, 3])
 
-    def value(angle: np.ndarray) -> np.ndarray:
+    def value(angle: Floats) -> Floats:
         left = (friction * np.cos(angle)) ** 2 - np.sin(angle) ** 2
         return along * np.cos(angle) + across * np.sin(angle) + turning * np.sqrt(np.maximum(left, 0))
 

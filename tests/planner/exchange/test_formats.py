@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.commands.convert import Options
 from planner.errors import GraspFileError
 from planner.exchange.formats import FORMATS
@@ -21,14 +22,14 @@ from tests.tools.tiny_yaml import read_yaml
 HALF = np.sqrt(0.5)
 
 
-def turned(quaternion: np.ndarray) -> np.ndarray:
+def turned(quaternion: Floats) -> Floats:
     """Rotation matrix of a quaternion w, x, y, z, by its textbook formula."""
     w, x, y, z = quaternion
     skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + 2 * w * skew + 2 * skew @ skew
 
 
-def isaac_gripper_pose(entry: dict[str, Any], object_turn: np.ndarray, object_at: np.ndarray) -> tuple[Any, Any]:
+def isaac_gripper_pose(entry: dict[str, Any], object_turn: Floats, object_at: Floats) -> tuple[Any, Any]:
     """What Isaac Sim's GraspSpec.compute_gripper_pose_from_rigid_body_pose makes of an entry."""
     turn = turned(np.array([entry["orientation"]["w"], *entry["orientation"]["xyz"]]))
     return object_at + object_turn @ np.array(entry["position"]), object_turn @ turn

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from planner.arrays import Floats
 from planner.contact_models.friction_cone import utilisation
 from planner.contacts import Contacts, grasp_maps
 from planner.forces.minimax import MinimaxForces
@@ -22,7 +23,7 @@ def opposed(friction: float) -> Contacts:
     return Contacts(points=points, normals=-points, friction=np.full(2, friction))
 
 
-def grasp_and_wrenches(seed: int, wrenches: int = 4) -> tuple[Contacts, np.ndarray, np.ndarray]:
+def grasp_and_wrenches(seed: int, wrenches: int = 4) -> tuple[Contacts, Floats, Floats]:
     """Random fingers about a ball, a reference point and a few wrenches, often on one side of the origin."""
     rng = np.random.default_rng(seed)
     fingers = int(rng.integers(3, 7))
@@ -58,7 +59,7 @@ def test_springs_about_a_moving_body_written_out_give_the_same_need(seed: int, s
         assert need.squeeze_force == pytest.approx(expected, rel=1e-5)
 
 
-def springs_written_out(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray, K: float) -> float:
+def springs_written_out(contacts: Contacts, reference_point: Floats, wrenches: Floats, K: float) -> float:
     """Least largest force with the twist of the object a variable of every wrench, in the body frame."""
     maps = grasp_maps(contacts.points, reference_point)
     preloads, cap = [cp.Variable(3) for _ in maps], cp.Variable()

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
@@ -17,7 +18,7 @@ from planner.verification.verify import verify
 from tests.strategies.planar_objects import RECTANGLE, planar_object
 
 
-def solved(contacts: Contacts, reference_point: np.ndarray, wrench: np.ndarray) -> float:
+def solved(contacts: Contacts, reference_point: Floats, wrench: Floats) -> float:
     solver = MinimaxForces(len(contacts), contacts.dimension)
     return solver.solve(ForceProblem(contacts=contacts, reference_point=reference_point, wrench=wrench)).phi
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
+from planner.arrays import Floats
 from planner.candidates.candidates import candidates_at
 from planner.candidates.choice import make_candidates
 from planner.candidates.listed import listed_candidates
@@ -82,7 +83,7 @@ def test_the_whole_of_a_wall_of_plates_is_approached_from_outside() -> None:
     assert approachable(mug, chosen, Limits(approach=Approach(radius=0.02, length=0.1))).all()
 
 
-def on_boundary(thing: PlanarObject, spacing: float) -> np.ndarray:
+def on_boundary(thing: PlanarObject, spacing: float) -> Floats:
     """Points of the outline, at most `spacing` apart."""
     outline = thing.outline
     steps = np.linspace(0, 1, int(outline.lengths.max() / spacing) + 2)[:, None]

@@ -9,6 +9,7 @@ import pytest
 import trimesh
 
 import planner.objects.parts.hull as hulls
+from planner.arrays import Floats
 from planner.objects.mjcf.reader import read_object
 from planner.objects.mjcf.visual import visual_difference
 from planner.objects.parts.planes import MOST_ASKED, Planes
@@ -57,14 +58,14 @@ def ball(folder: Path, subdivisions: int) -> Path:
     return path
 
 
-def lump(corners: int, half_lengths: tuple[float, float, float], at: np.ndarray = FAR) -> Polyhedron:
+def lump(corners: int, half_lengths: tuple[float, float, float], at: Floats = FAR) -> Polyhedron:
     """An ellipsoid of about twice as many facets as corners."""
     directions = np.random.default_rng(corners).normal(size=(corners, 3))
     vertices = directions / norm(directions)[:, None] * half_lengths + at
     return Polyhedron.hull(vertices, geom="lump", friction=0.5)
 
 
-def near_and_far(part: Polyhedron) -> np.ndarray:
+def near_and_far(part: Polyhedron) -> Floats:
     """Points inside, on, and outside of a part: also its corners, and the middles of facets and of edges."""
     triangles, _ = part.triangles()
     lower, upper = 2 * part.bounds() - part.bounds().mean(axis=0)
@@ -111,7 +112,7 @@ def test_feet_on_many_facets_are_where_all_facets_put_them(monkeypatch: pytest.M
     assert (normals == same).all()
 
 
-def tube() -> np.ndarray:
+def tube() -> Floats:
     """A drum of quadrangles, some cut into many, and two faces of many corners."""
     angles = np.arange(60) * np.pi / 30
     ring = np.column_stack([np.cos(angles), np.sin(angles)])

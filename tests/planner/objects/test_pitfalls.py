@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from planner.arrays import Floats, Mask
 from planner.candidates.choice import make_candidates
 from planner.errors import ObjectError
 from planner.objects.mass_doubts import mass_doubts, union_volume
@@ -32,7 +33,7 @@ def read(folder: Path, body: str, assets: str = "") -> RigidObject:
     return read_object(written(folder, world(body, assets)))
 
 
-def corners(thing: RigidObject) -> np.ndarray:
+def corners(thing: RigidObject) -> Floats:
     """Lower and upper corner of everything that collides, shape (2, 3) [m]."""
     bounds = np.array([part.bounds() for part in thing.parts])
     return np.stack([bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)])
@@ -76,7 +77,7 @@ def test_what_collides_is_told_by_the_contact_test_and_not_by_name_or_group(tmp_
     assert [part.geom for part in thing.parts] == ["visual", "one_sided"]
 
 
-def in_the_hollow(points: np.ndarray) -> np.ndarray:
+def in_the_hollow(points: Floats) -> Mask:
     """Which points lie on the inner surface of the cup."""
     inner = HALF - WALL + 1e-6
     return (np.abs(points[:, :2]) < inner).all(axis=1) & (points[:, 2] > WALL - HALF - 1e-6)
@@ -159,7 +160,7 @@ def test_an_object_without_any_mesh_is_an_object(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("length", [0.001, 10.0])
 def test_candidates_of_small_and_large_objects_are_alike_up_to_scale(tmp_path: Path, length: float) -> None:
-    def points(scale: float) -> np.ndarray:
+    def points(scale: float) -> Floats:
         box, stem = f"{scale} {2 * scale} {scale}", f"{scale / 2} {scale}"
         body = f'<body><geom type="box" size="{box}"/><geom type="cylinder" size="{stem}" pos="0 0 {scale}"/></body>'
         return make_candidates(read(tmp_path, body), "60", None, seed=0).contacts.points / scale

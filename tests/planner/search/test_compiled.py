@@ -6,6 +6,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from planner.arrays import Indices
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
 from planner.search.compiled.swaps import best_partner
@@ -31,7 +32,7 @@ def table_of(problem: SearchProblem, cuts: int) -> CutTable:
     return table
 
 
-def below(tree: CandidateTree, node: int) -> np.ndarray:
+def below(tree: CandidateTree, node: int) -> Indices:
     """Candidates below a node."""
     return tree.order[tree.start[node] : tree.stop[node]]
 

@@ -7,6 +7,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
+from planner.arrays import Floats, Indices
 from planner.contacts import Contacts, contact_frames
 from planner.errors import CandidateError, SettingError, SolverError
 from planner.forces.minimax import MinimaxForces
@@ -32,7 +33,7 @@ FLAT = (6, 34, 36, 38)
 Wanted = Callable[[SearchProblem, tuple[int, ...]], bool]
 
 
-def force_level(problem: SearchProblem, subset: tuple[int, ...], strength: np.ndarray, points: np.ndarray) -> float:
+def force_level(problem: SearchProblem, subset: tuple[int, ...], strength: Floats, points: Floats) -> float:
     """rho of one grasp [N], from one force problem per wrench."""
     contacts = problem.contacts.subset(np.array(subset))
     contacts = Contacts(points=points, normals=contacts.normals, friction=contacts.friction, strength=strength)
@@ -157,9 +158,9 @@ def test_with_position_error_rho_is_the_worst_of_all_shifts() -> None:
         def worst(
             subset: tuple[int, ...],
             free: SearchProblem = free,
-            tangents: np.ndarray = tangents,
+            tangents: Floats = tangents,
             error: float = error,
-            ones: np.ndarray = ones,
+            ones: Floats = ones,
         ) -> float:
             points, along = free.contacts.points[list(subset)], tangents[list(subset)]
             moves = product((-error, 0.0, error), repeat=free.fingers)
@@ -205,7 +206,7 @@ def test_grasps_apart_are_each_the_best_unlike_those_before() -> None:
             subset: force_level(problem, subset, np.ones(3), points[list(subset)])
             for subset in combinations(range(len(points)), 3)
         }
-        earlier: list[np.ndarray] = []
+        earlier: list[Indices] = []
         for grasp in found.grasps:
             unlike = [
                 rho

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.candidates.choice import make_candidates
 from planner.grasp_problem import GraspProblem
 from planner.objects.object_file import read_object_file
@@ -63,7 +64,7 @@ def test_friction_and_a_third_finger_never_cost_force(name: str) -> None:
     assert (np.diff(rho, axis=1) < 0).all()
 
 
-def antipodal_phi(half_width: float, friction: float, wrench: np.ndarray) -> float:
+def antipodal_phi(half_width: float, friction: float, wrench: Floats) -> float:
     """Least largest force of fingers at (a, 0) and (-a, 0) that push inward, by hand.
 
     With pushes n_1, n_2 and forces t_1, t_2 along y:  n_2 - n_1 = -X,  t_1 + t_2 = -Y,  a (t_1 - t_2) = -M. Both t are

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
 from planner.errors import CandidateError
@@ -175,7 +176,7 @@ def stronger(problem: SearchProblem) -> SearchProblem:
     return replace(problem, kinds=(replace(first, strength=1.5 * first.strength), *others))
 
 
-def opposite_pairs(problem: SearchProblem) -> tuple[float, np.ndarray]:
+def opposite_pairs(problem: SearchProblem) -> tuple[float, Floats]:
     """Least rho of the pairs on opposite points [N], and the direction that proves each one's, shape (pairs, D)."""
     solver, least, directions = ReferenceForces(2, 3), np.inf, []
     contacts = replace(problem.contacts, strength=problem.strengths)

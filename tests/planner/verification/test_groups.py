@@ -6,6 +6,7 @@ from math import comb, dist, prod
 import numpy as np
 import pytest
 
+from planner.arrays import Indices
 from planner.verification.groups import Groups, group_candidates
 
 COUNTS = (7, 6)
@@ -31,7 +32,7 @@ def members(groups: Groups) -> list[list[int]]:
     return found
 
 
-def subsets_of(row: np.ndarray, groups: Groups) -> set[tuple[int, ...]]:
+def subsets_of(row: Indices, groups: Groups) -> set[tuple[int, ...]]:
     """Every subset that a row stands for."""
     inside, numbers = members(groups), row.tolist()
     choices = [combinations(inside[group], numbers.count(group)) for group in dict.fromkeys(numbers)]

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.candidates.choice import make_candidates
 from planner.contacts import Contacts, grasp_maps
 from planner.grasp_problem import GraspProblem
@@ -120,7 +121,7 @@ def test_wrong_moments_in_all_that_the_search_uses_are_noticed(
 ) -> None:
     """Nothing that verifies takes its moments from where the search does."""
 
-    def halved(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
+    def halved(points: Floats, reference_point: Floats) -> Floats:
         maps = grasp_maps(points, reference_point)
         maps[:, 3:] /= 2
         return maps

@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.errors import TaskError
 from planner.wrench_sets.ball import Ball
 from planner.wrench_sets.box import Box
@@ -23,17 +24,17 @@ TURN_ROWS = tuple(map(tuple, TURN.tolist()))
 CORNERS = ((1.0, 0.0, 2.0), (-1.0, 0.5, 0.0), (0.2, 0.1, 0.0), (1.0, 0.0, 2.0))
 
 
-def length(vector: np.ndarray) -> float:
+def length(vector: Floats) -> float:
     return float(np.sqrt((vector * vector).sum()))
 
 
-def turned(w: np.ndarray) -> np.ndarray:
+def turned(w: Floats) -> Floats:
     """The wrench in the axes of the turned ellipsoid."""
     return np.concatenate([TURN.T @ w[:3], TURN.T @ w[3:]])
 
 
 # Each set, and by how much a wrench violates its definition (not positive: a member).
-SETS: dict[str, tuple[WrenchSet, Callable[[np.ndarray], float]]] = {
+SETS: dict[str, tuple[WrenchSet, Callable[[Floats], float]]] = {
     "box in space": (
         Box(force=(1, 2, 3), moment=(0.1, 0.2, 0.3), center=(0, 0, -9, 0, 1, 0)),
         lambda w: float((np.abs(w - [0, 0, -9, 0, 1, 0]) - [1, 2, 3, 0.1, 0.2, 0.3]).max()),
@@ -66,7 +67,7 @@ SETS: dict[str, tuple[WrenchSet, Callable[[np.ndarray], float]]] = {
 EVERY_SET = {name: wrench_set for name, (wrench_set, _) in SETS.items()} | {"polytope": Polytope(wrenches=CORNERS)}
 
 
-def random_directions(dimension: int, count: int) -> np.ndarray:
+def random_directions(dimension: int, count: int) -> Floats:
     return np.random.default_rng(7).normal(size=(count, dimension))
 
 
@@ -86,7 +87,7 @@ def test_no_vertex_is_repeated(wrench_set: WrenchSet) -> None:
 
 @pytest.mark.parametrize(("wrench_set", "violation"), SETS.values(), ids=SETS)
 def test_the_support_function_is_attained_by_a_member(
-    wrench_set: WrenchSet, violation: Callable[[np.ndarray], float]
+    wrench_set: WrenchSet, violation: Callable[[Floats], float]
 ) -> None:
     """The gradient of a support function is the wrench that attains it."""
     dimension = wrench_set.vertices().shape[1]
@@ -101,7 +102,7 @@ def test_the_support_function_is_attained_by_a_member(
 
 @pytest.mark.parametrize(("wrench_set", "violation"), SETS.values(), ids=SETS)
 def test_no_member_reaches_beyond_the_support_function(
-    wrench_set: WrenchSet, violation: Callable[[np.ndarray], float]
+    wrench_set: WrenchSet, violation: Callable[[Floats], float]
 ) -> None:
     """Members: convex combinations of vertices, drawn towards the middle until the definition accepts them."""
     vertices = wrench_set.vertices()
@@ -115,7 +116,7 @@ def test_no_member_reaches_beyond_the_support_function(
         assert (directions @ member <= wrench_set.support(directions) + 1e-9).all()
 
 
-def fits(middle: np.ndarray, wrench: np.ndarray, share: float, violation: Callable[[np.ndarray], float]) -> bool:
+def fits(middle: Floats, wrench: Floats, share: float, violation: Callable[[Floats], float]) -> bool:
     return violation(middle + share * (wrench - middle)) <= 1e-12
 
 

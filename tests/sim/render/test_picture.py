@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from planner.arrays import Mask, Pixels
 from planner.errors import OutputError, RenderingError, SettingError
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
@@ -20,7 +21,7 @@ from sim.render.recording import Recording
 LAST = 549
 
 
-def like(pixels: np.ndarray, color: str, hue: float = 0.04) -> np.ndarray:
+def like(pixels: Pixels, color: str, hue: float = 0.04) -> Mask:
     """Which pixels, shape (height, width, 3), have the hue of a strong colour, shape (height, width)."""
     wanted = colorsys.rgb_to_hsv(*(part / 255 for part in rgb(color)))[0]
     found = np.asarray(Image.fromarray(pixels).convert("HSV")) / 255
@@ -28,7 +29,7 @@ def like(pixels: np.ndarray, color: str, hue: float = 0.04) -> np.ndarray:
     return (np.minimum(away, 1 - away) < hue) & (found[..., 1] > 0.6) & (found[..., 2] > 0.25)
 
 
-def warm_grey(pixels: np.ndarray) -> np.ndarray:
+def warm_grey(pixels: Pixels) -> Mask:
     """Which pixels are of the object: as much warmer than grey as its colour, in light or in shadow."""
     red, green, blue = np.moveaxis(pixels.astype(float), -1, 0)
     r, g, b = rgb(OBJECT)

@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.objects.mjcf.reader import read_object
 from planner.objects.rigid_object import RigidObject
@@ -57,7 +58,7 @@ def test_a_fingertip_is_as_far_from_the_composed_scene_as_from_the_original_mode
     np.testing.assert_allclose(composed, original, atol=1e-5 * drill.size)
 
 
-def gap(scene: Scene, center: np.ndarray) -> float:
+def gap(scene: Scene, center: Floats) -> float:
     """Distance of the first fingertip, moved to `center`, from the object."""
     data = mujoco.MjData(scene.model)
     tip = scene.tip_geoms[0]
@@ -67,7 +68,7 @@ def gap(scene: Scene, center: np.ndarray) -> float:
     return min(mujoco.mj_geomDistance(scene.model, data, tip, part, 1.0, None) for part in scene.object_geoms)
 
 
-def original_gap(rigid_object: RigidObject, center: np.ndarray, radius: float) -> float:
+def original_gap(rigid_object: RigidObject, center: Floats, radius: float) -> float:
     """The same with a sphere added to the object's own file."""
     spec = mujoco.MjSpec.from_file(str(rigid_object.file))
     body = spec.body(rigid_object.body)
@@ -90,7 +91,7 @@ def scene_of(rigid_object: RigidObject) -> tuple[Scene, Units]:
     return build_scene(floating_object(rigid_object.parts, units, ACTIVE, FreeJoint()), tips, ACTIVE), units
 
 
-def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:
+def rays(rigid_object: RigidObject) -> tuple[Floats, Floats]:
     """Rays from a sphere about the object towards points of its bounding box, in the body frame."""
     rng = np.random.default_rng(0)
     outward = rng.normal(size=(RAYS, 3))
@@ -102,7 +103,7 @@ def rays(rigid_object: RigidObject) -> tuple[np.ndarray, np.ndarray]:
     return origins, directions / np.linalg.norm(directions, axis=1, keepdims=True)
 
 
-def original_distances(rigid_object: RigidObject, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+def original_distances(rigid_object: RigidObject, origins: Floats, directions: Floats) -> Floats:
     """Distances in the model compiled from the object's own file, visual geoms and planes left out."""
     model = mujoco.MjModel.from_xml_path(str(rigid_object.file))
     data = mujoco.MjData(model)
@@ -113,7 +114,7 @@ def original_distances(rigid_object: RigidObject, origins: np.ndarray, direction
     return distances(model, X + origins @ R.T, directions @ R.T, body)
 
 
-def distances(model: mujoco.MjModel, origins: np.ndarray, directions: np.ndarray, body: int) -> np.ndarray:
+def distances(model: mujoco.MjModel, origins: Floats, directions: Floats, body: int) -> Floats:
     """Where rays meet geoms that can collide; -1 for a miss."""
     collides = (model.geom_contype | model.geom_conaffinity) != 0
     wanted = collides & (model.geom_type != mujoco.mjtGeom.mjGEOM_PLANE)

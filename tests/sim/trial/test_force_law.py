@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from planner.arrays import Floats
 from sim.trial.force_law import FingerLaw, saturated
 
 VECTORS = arrays(float, (5, 3), elements=st.floats(-1e3, 1e3))
@@ -14,7 +15,7 @@ CAPS = arrays(float, (5,), elements=st.floats(1e-3, 1e3))
 
 
 @given(forces=VECTORS, caps=CAPS)
-def test_saturation_caps_the_norm_and_keeps_the_direction(forces: np.ndarray, caps: np.ndarray) -> None:
+def test_saturation_caps_the_norm_and_keeps_the_direction(forces: Floats, caps: Floats) -> None:
     shortened = saturated(forces, caps)
     norms = np.linalg.norm(forces, axis=1)
     np.testing.assert_allclose(np.linalg.norm(shortened, axis=1), np.minimum(norms, caps), rtol=1e-12, atol=1e-150)
@@ -23,7 +24,7 @@ def test_saturation_caps_the_norm_and_keeps_the_direction(forces: np.ndarray, ca
 
 @given(feed_forward=VECTORS, displacements=VECTORS, velocities=VECTORS, caps=CAPS)
 def test_the_total_of_feed_forward_and_spring_respects_the_cap(
-    feed_forward: np.ndarray, displacements: np.ndarray, velocities: np.ndarray, caps: np.ndarray
+    feed_forward: Floats, displacements: Floats, velocities: Floats, caps: Floats
 ) -> None:
     forces = LAW.forces(feed_forward, displacements, velocities, caps)
     assert (np.linalg.norm(forces, axis=1) <= caps * (1 + 1e-12)).all()

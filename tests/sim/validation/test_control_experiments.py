@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import sim.validation.control_experiments
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ACTIVE
@@ -30,7 +31,7 @@ def test_all_controls_of_a_true_grasp_behave() -> None:
 
 
 def test_a_prediction_that_ignores_friction_makes_the_verdict_not_trustworthy(monkeypatch: pytest.MonkeyPatch) -> None:
-    def blind(contacts: Contacts, reference_point: np.ndarray, wrenches: np.ndarray) -> np.ndarray:
+    def blind(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
         return predicted_caps(replace(contacts, friction=np.full(3, 0.3)), reference_point, wrenches)
 
     monkeypatch.setattr(sim.validation.control_experiments, "predicted_caps", blind)

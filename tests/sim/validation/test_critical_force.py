@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.errors import SimulationError
 from sim.validation.critical_force import CriticalForce, measure_critical_force
 from tests.strategies.planned_grasps import Planned, prism, with_friction
@@ -13,7 +14,7 @@ CORNER = replace(prism(), wrenches=prism().wrenches[::8])
 """Every eighth wrench of the paper's Case III."""
 
 
-def measured(planned: Planned, phi: np.ndarray, simulated_friction: float) -> CriticalForce:
+def measured(planned: Planned, phi: Floats, simulated_friction: float) -> CriticalForce:
     return measure_critical_force(replace(planned.loaded, phi=phi), simulated_friction=np.full(3, simulated_friction))
 
 

@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import sim.trial.feed_forward
+from planner.arrays import Floats
 from planner.contacts import Contacts, grasp_maps
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
@@ -64,7 +65,7 @@ def test_friction_five_percent_above_the_planned_is_noticed() -> None:
 
 
 def test_a_planner_with_the_wrong_sign_of_moment_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
-    def wrong(points: np.ndarray, reference_point: np.ndarray) -> np.ndarray:
+    def wrong(points: Floats, reference_point: Floats) -> Floats:
         maps = grasp_maps(points, reference_point)
         maps[:, 3:] *= -1
         return maps

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from sim.render.drawn_motion import AVERAGED
 from sim.trial.schedule import fractions
 from sim.view.captions import about, asked, caption, measured_forces, plain, planned_forces
@@ -71,7 +72,7 @@ def test_a_message_cannot_become_markup() -> None:
     assert plain("finger 2") == "finger 2"
 
 
-def inside(layout: Layout, points: np.ndarray, width: float = 1000 * ASPECT, height: float = 1000) -> bool:
+def inside(layout: Layout, points: Floats, width: float = 1000 * ASPECT, height: float = 1000) -> bool:
     pixels = layout.view.pixels(points, int(width), int(height))
     return bool((pixels > 0).all() and (pixels < [width, height]).all())
 

@@ -14,6 +14,7 @@ from tests.strategies.planar_grasps import planned
 
 pytest.importorskip("viser", reason="the live view needs the extra viz")
 
+from planner.arrays import Floats
 from sim.render.proportions import ARROW, CONE_HEIGHT
 from sim.view.controls import PLAN, TRIAL
 from sim.view.viewer import Viewer
@@ -30,7 +31,7 @@ def ask(control: Any, value: object) -> None:
     control.value = value
 
 
-def arrow(node: Any) -> tuple[np.ndarray, np.ndarray]:
+def arrow(node: Any) -> tuple[Floats, Floats]:
     """Foot and tip of an arrow, each ring of vertices being one point."""
     assert node.visible
     return node.vertices[FOOT].mean(axis=0), node.vertices[TIP].mean(axis=0)

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 from planner.objects.parts.hull import convex_facets
 from tests.strategies.parts import PRISM_CORNERS, TILTED
 
 
-def drum(sides: int) -> np.ndarray:
+def drum(sides: int) -> Floats:
     angles = np.arange(sides) * 2 * np.pi / sides
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
     rim = [np.column_stack([ring, np.full(sides, z)]) for z in (-0.3, 0.3)]
@@ -64,6 +65,6 @@ def test_the_prism_has_its_five_planes() -> None:
         (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, np.nan]]), "not finite"),
     ],
 )
-def test_points_that_span_no_volume_are_refused(points: np.ndarray, message: str) -> None:
+def test_points_that_span_no_volume_are_refused(points: Floats, message: str) -> None:
     with pytest.raises(ObjectError, match=message):
         convex_facets(points, "g")

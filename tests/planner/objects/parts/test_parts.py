@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.objects.parts.cylinder import BOTTOM, TOP
 from planner.objects.rigid_object import ConvexPart
 from planner.objects.vectors import norm
@@ -20,10 +21,10 @@ AREAS = {
 }
 
 
-def implicit(name: str, local: np.ndarray) -> np.ndarray:
+def implicit(name: str, local: Floats) -> Floats:
     """Negative inside, positive outside, written from the shape's definition in its own frame."""
     x, y, z = local.T
-    values: dict[str, np.ndarray] = {
+    values: dict[str, Floats] = {
         "polyhedron": np.max([-x - 0.2 / 3, -y - 0.2 / 3, x + y - 0.2 / 3, np.abs(z) - 0.05], axis=0),
         "box": np.max([np.abs(x) - 0.1, np.abs(y) - 0.2, np.abs(z) - 0.05], axis=0),
         "sphere": x**2 + y**2 + z**2 - 0.04,
@@ -34,7 +35,7 @@ def implicit(name: str, local: np.ndarray) -> np.ndarray:
     return values[name]
 
 
-def random_points(part: ConvexPart, count: int, seed: int) -> np.ndarray:
+def random_points(part: ConvexPart, count: int, seed: int) -> Floats:
     lower, upper = part.bounds()
     return np.random.default_rng(seed).uniform(lower - 0.1, upper + 0.1, (count, 3))
 

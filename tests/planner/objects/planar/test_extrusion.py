@@ -4,6 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.errors import ObjectError
 from planner.objects.planar.ear_clipping import is_convex, triangles
 from planner.objects.planar.extrusion import extruded
@@ -17,7 +18,7 @@ POLYGONS = [np.array(RECTANGLE), np.array(HOOK), np.array(COMB, dtype=float), *m
 
 
 @pytest.mark.parametrize("corners", POLYGONS)
-def test_triangles_fill_the_polygon_without_overlap(corners: np.ndarray) -> None:
+def test_triangles_fill_the_polygon_without_overlap(corners: Floats) -> None:
     """As many as there must be, each with area, together of the polygon's area, none of them outside."""
     cut = triangles(corners)
     areas = [signed_area(corners[list(triangle)]) for triangle in cut]

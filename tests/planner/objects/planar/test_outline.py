@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from planner.arrays import Floats
 from planner.objects.planar.outline import Outline
 from tests.strategies.planar_objects import HOOK, planar_object, star
 
@@ -13,7 +14,7 @@ def outline(seed: int) -> Outline:
     return Outline(geom="star", friction=0.5, corners=star(seed))
 
 
-def winding(corners: np.ndarray, point: np.ndarray) -> int:
+def winding(corners: Floats, point: Floats) -> int:
     """How often the outline turns about a point, by adding angles."""
     arms = (corners - point) @ [1, 1j]
     return round(float(np.angle(np.roll(arms, -1) / arms).sum()) / (2 * np.pi))
