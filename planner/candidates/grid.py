@@ -84,11 +84,11 @@ class _Grid:
     """The cells of one facet."""
 
     def __init__(self, part: Polyhedron, facet: int, spacing: float) -> None:
-        self.normal = part.normals[facet]
+        self.outward = part.outward_normals[facet]
         self.corners = part.vertices[part.polygons[facet]]
-        axis = np.eye(3)[np.abs(np.round(self.normal, 9)).argmin()]
-        u = unit(axis - (axis @ self.normal) * self.normal)
-        self.axes = np.stack([u, np.cross(self.normal, u)])
+        axis = np.eye(3)[np.abs(np.round(self.outward, 9)).argmin()]
+        u = unit(axis - (axis @ self.outward) * self.outward)
+        self.axes = np.stack([u, np.cross(self.outward, u)])
         in_plane = self.corners @ self.axes.T
         self.start, self.extent = in_plane.min(axis=0), np.ptp(in_plane, axis=0)
         self.cells = np.maximum(1.0, np.floor(self.extent / spacing + 0.5))
@@ -100,6 +100,6 @@ class _Grid:
             for start, extent, cells in zip(self.start, self.extent, self.cells, strict=True)
         )
         in_plane = np.stack(np.meshgrid(along_u, along_v, indexing="ij"), axis=-1).reshape(-1, 2)
-        points = in_plane @ self.axes + (self.corners[0] @ self.normal) * self.normal
-        inside = (edge_distances(self.corners, self.normal, points) > margin).all(axis=1)
+        points = in_plane @ self.axes + (self.corners[0] @ self.outward) * self.outward
+        inside = (edge_distances(self.corners, self.outward, points) > margin).all(axis=1)
         return points[inside]

@@ -12,6 +12,6 @@ def shaded_surface(part: ConvexPart) -> Floats:
     triangles, facets = part.triangles()
     corners = triangles.reshape(-1, 3)
     if isinstance(part, Polyhedron):  # its normals do not change over a facet
-        return np.hstack([corners, part.normals[np.repeat(facets, 3)]])
+        return np.hstack([corners, part.outward_normals[np.repeat(facets, 3)]])
     _, inward = part.project(corners, np.repeat(facets, 3))
     return np.hstack([corners, -inward])

@@ -3,11 +3,11 @@
 import msgspec
 
 from planner.arrays import Floats
-from planner.wrench_sets.ellipsoid import Ellipsoid
+from planner.wrench_sets.ellipsoid import WrenchEllipsoid
 from planner.wrench_sets.values import size, space_dimension
 
 
-class Ball(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class WrenchBall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = { (f, m) : |f|^2 + (|m| / length)^2 <= radius^2 }.
 
     Raises:
@@ -32,10 +32,10 @@ class Ball(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         space_dimension(self.dimension)
 
     @property
-    def _ellipsoid(self) -> Ellipsoid:
+    def _ellipsoid(self) -> WrenchEllipsoid:
         moment = self.radius * self.length
         moments = (moment,) if self.dimension == 2 else (moment, moment, moment)
-        return Ellipsoid(force=self.dimension * (self.radius,), moment=moments, facets=self.facets)
+        return WrenchEllipsoid(force=self.dimension * (self.radius,), moment=moments, facets=self.facets)
 
     def vertices(self) -> Floats:
         """Vertices of the circumscribed polytope, shape (l, D)."""

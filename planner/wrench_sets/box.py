@@ -10,7 +10,7 @@ from planner.errors import TaskError
 from planner.wrench_sets.values import center_vector, half_sizes
 
 
-class Box(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class WrenchBox(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = { c + (f, m) : |f_k| <= F_k, |m_k| <= M_k }.
 
     A half-width of zero makes the box flat along that axis.

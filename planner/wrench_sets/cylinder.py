@@ -10,7 +10,7 @@ from planner.wrench_sets.circumscribed import circumscribed_ball
 from planner.wrench_sets.values import size, space_dimension
 
 
-class Cylinder(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class WrenchCylinder(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = { (f, m) : |f| <= F, |m| <= M }.
 
     In the plane a disc times an interval, by default the paper's polyhedron of 8 sides and 2 caps; in space

@@ -13,7 +13,7 @@ ORTHONORMAL = 1e-6
 """Largest accepted deviation of R^T R from the identity."""
 
 
-class Ellipsoid(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class WrenchEllipsoid(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = { c + R diag(a) u : |u| <= 1 }.
 
     A semi-axis of zero makes the ellipsoid flat along that axis.

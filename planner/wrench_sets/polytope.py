@@ -8,7 +8,7 @@ from planner.errors import TaskError
 from planner.wrench_sets.values import finite_vector
 
 
-class Polytope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class WrenchPolytope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = conv { w_1, ..., w_l }.
 
     Raises:

@@ -14,9 +14,9 @@ from planner.errors import TaskError
 from planner.objects.graspable import Graspable
 from planner.objects.planar.planar_object import PlanarObject
 from planner.objects.surface.nearest import surface_distance
-from planner.wrench_sets.box import Box
-from planner.wrench_sets.cylinder import Cylinder
-from planner.wrench_sets.polytope import Polytope
+from planner.wrench_sets.box import WrenchBox
+from planner.wrench_sets.cylinder import WrenchCylinder
+from planner.wrench_sets.polytope import WrenchPolytope
 from planner.wrench_sets.values import size
 from planner.wrench_sets.wrench_set import WrenchSet
 
@@ -52,9 +52,9 @@ class Paper(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         force = weight(object)
         if isinstance(object, PlanarObject):
             moment = 0.8 * object.outline.corner_distance(reference_point) * force
-            return Cylinder(force=force, moment=moment, dimension=2)
+            return WrenchCylinder(force=force, moment=moment, dimension=2)
         moment = 0.8 * surface_distance(object, reference_point) * force
-        return Box(force=(force, force, force), moment=(moment, moment, moment))
+        return WrenchBox(force=(force, force, force), moment=(moment, moment, moment))
 
 
 class Gravity(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -78,7 +78,7 @@ class Gravity(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     def for_object(self, object: Graspable, reference_point: Floats) -> WrenchSet:
         """See `Preset`."""
         radius = 0.1 * float(object.extent.min()) if self.radius is None else self.radius
-        return Cylinder(force=weight(object), moment=weight(object) * radius, dimension=len(reference_point))
+        return WrenchCylinder(force=weight(object), moment=weight(object) * radius, dimension=len(reference_point))
 
 
 class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -102,7 +102,7 @@ class Axes6(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         dimension = len(reference_point)
         axes = push * np.eye(dimension, wrench_dimension(dimension))
         wrenches = np.vstack([axes, -axes])
-        return Polytope(wrenches=tuple(map(tuple, wrenches.tolist())))
+        return WrenchPolytope(wrenches=tuple(map(tuple, wrenches.tolist())))
 
 
 def weight(object: Graspable) -> float:

@@ -7,7 +7,7 @@ from planner.errors import TaskError
 from planner.wrench_sets.values import finite_vector
 
 
-class Single(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class SingleWrench(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """W_R = { w }.
 
     Raises:

@@ -9,7 +9,7 @@ from planner.contacts import Contacts
 from planner.errors import ObjectError
 from planner.objects.surface.sampling import random_points
 from planner.search.problem import SearchProblem
-from planner.wrench_sets.box import Box
+from planner.wrench_sets.box import WrenchBox
 
 OBJECTS = Path(__file__).resolve().parents[2] / ".." / "shared" / "objects"
 SCAN = OBJECTS / "ycb_power_drill" / "power_drill" / "textured.obj"
@@ -41,5 +41,5 @@ def drill_problem(candidates: int, fingers: int, scan: Path = SCAN) -> SearchPro
     contacts = Contacts(points=points, normals=inward, friction=np.full(candidates, FRICTION))
     centroid = np.array(mesh.centroid)
     moment = 0.8 * FORCE * float(np.linalg.norm(points - centroid, axis=1).min())
-    task = Box(force=(FORCE,) * 3, moment=(moment,) * 3)
+    task = WrenchBox(force=(FORCE,) * 3, moment=(moment,) * 3)
     return SearchProblem(contacts=contacts, fingers=fingers, reference_point=centroid, wrenches=task.vertices())

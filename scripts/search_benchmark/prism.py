@@ -10,7 +10,7 @@ from planner.arrays import Floats
 from planner.candidates.case3 import CORNER, HALF_HEIGHT, HYPOTENUSE_CELLS, LAYERS, LEG, LEG_CELLS, UNIT
 from planner.contacts import Contacts
 from planner.search.problem import SearchProblem
-from planner.wrench_sets.box import Box
+from planner.wrench_sets.box import WrenchBox
 
 FRICTION = 0.3
 WEIGHT = 0.16
@@ -23,7 +23,7 @@ NEAREST_FACE = 2 * np.sqrt(2) / 3 * UNIT
 def prism_problem(contacts: Contacts, fingers: int) -> SearchProblem:
     """The paper's task on candidates of the prism: the weight along each axis, and 0.8 gamma of it as a moment."""
     moment = 0.8 * NEAREST_FACE * WEIGHT
-    task = Box(force=(WEIGHT,) * 3, moment=(moment,) * 3)
+    task = WrenchBox(force=(WEIGHT,) * 3, moment=(moment,) * 3)
     return SearchProblem(contacts=contacts, fingers=fingers, reference_point=np.zeros(3), wrenches=task.vertices())
 
 

@@ -12,7 +12,7 @@ from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
 from planner.objects.planar.reader import read_planar
 from planner.task import Task, make_task
-from planner.wrench_sets.cylinder import Cylinder
+from planner.wrench_sets.cylinder import WrenchCylinder
 from tests.strategies.bricks import brick
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
@@ -44,7 +44,7 @@ def test_a_file_states_name_reference_point_and_set(tmp_path: Path) -> None:
     task = make_task(written(tmp_path, SCREWDRIVER), brick(mass=0.0))
     assert task.name == "screwdriver"
     np.testing.assert_array_equal(task.reference_point, [0, 0, 0.02])
-    np.testing.assert_array_equal(task.wrenches, Cylinder(force=5, moment=0.1, force_facets=12).vertices())
+    np.testing.assert_array_equal(task.wrenches, WrenchCylinder(force=5, moment=0.1, force_facets=12).vertices())
 
 
 def test_a_file_may_leave_out_name_and_reference_point(tmp_path: Path) -> None:
@@ -201,5 +201,5 @@ def test_a_task_needs_wrenches_that_fit_its_reference_point(wrenches: Floats, me
 
 
 def test_a_planar_task_has_wrenches_of_three_numbers() -> None:
-    wrenches = Cylinder(force=1, moment=1, dimension=2).vertices()
+    wrenches = WrenchCylinder(force=1, moment=1, dimension=2).vertices()
     assert Task(name="plane", reference_point=np.zeros(2), wrenches=wrenches).wrenches.shape == (16, 3)

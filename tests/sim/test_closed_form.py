@@ -15,7 +15,7 @@ from sim.trial.experiment import floating_object
 from sim.trial.measurement import Measurement, measure
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.trial.trial import Trial, run
-from tests.strategies.planned_grasps import box
+from tests.strategies.parts import box
 
 FRICTION, PRESS = 0.4, 1.0
 RADIUS = 0.04 * ACTIVE.reach

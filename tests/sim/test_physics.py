@@ -12,7 +12,8 @@ from planner.objects.parts.cylinder import Cylinder
 from planner.objects.pose import Pose
 from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.critical_force import CriticalForce, measure_critical_force
-from tests.strategies.planned_grasps import Planned, box, prism
+from tests.strategies.parts import box
+from tests.strategies.planned_grasps import Planned, prism
 
 FRICTION = 0.5
 

@@ -1,5 +1,6 @@
 """Small convex parts and objects made without MuJoCo, for tests."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -33,10 +34,10 @@ def tilted_parts() -> dict[str, ConvexPart]:
     }
 
 
-def box(center: tuple[float, float, float], half_lengths: tuple[float, float, float]) -> Box:
+def box(half_lengths: tuple[float, float, float], center: tuple[float, float, float] = (0, 0, 0)) -> Box:
     """A box along the axes of B."""
-    pose = Pose(position=np.array(center, dtype=float), quaternion=np.array([1.0, 0.0, 0.0, 0.0]))
-    return Box.placed(pose, np.array(half_lengths), geom=NAME, friction=FRICTION)
+    pose = replace(Pose.identity(), position=np.array(center, dtype=float))
+    return Box.placed(pose, np.array(half_lengths, dtype=float), geom=NAME, friction=FRICTION)
 
 
 def rigid_object(*parts: ConvexPart) -> RigidObject:

@@ -9,9 +9,7 @@ from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
-from planner.objects.parts.box import Box
 from planner.objects.parts.polyhedron import Polyhedron
-from planner.objects.pose import Pose
 from planner.objects.rigid_object import ConvexPart
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE, ValidationProtocol
@@ -86,9 +84,3 @@ def with_friction(planned: Planned, friction: tuple[float, ...]) -> Planned:
     """The same grasp with its own coefficient at every contact."""
     contacts = replace(planned.contacts, friction=np.array(friction))
     return replace(planned, contacts=contacts)
-
-
-def box(half_lengths: tuple[float, float, float], position: tuple[float, float, float] = (0, 0, 0)) -> Box:
-    """A box geom along the axes of the body."""
-    pose = replace(Pose.identity(), position=np.array(position, dtype=float))
-    return Box.placed(pose, np.array(half_lengths), geom="box", friction=0.5)

@@ -6,7 +6,8 @@ from planner.contacts import Contacts
 from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.parts.sphere import Sphere
 from planner.objects.pose import Pose
-from tests.strategies.planned_grasps import Planned, box
+from tests.strategies.parts import box
+from tests.strategies.planned_grasps import Planned
 
 WEIGHT = 9.81
 ORIGIN = np.zeros(3)

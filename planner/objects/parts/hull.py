@@ -39,8 +39,8 @@ class Facets(NamedTuple):
     polygons: tuple[Indices, ...]
     """For each facet the indices of its corners, counter-clockwise seen from outside."""
 
-    normals: Floats
-    """Outward unit normals, shape (facets, 3)."""
+    outward_normals: Floats
+    """Unit normals, shape (facets, 3)."""
 
     offsets: Floats
     """Distances of the facets' planes from the origin along their normals, shape (facets,) [m]."""
@@ -81,7 +81,7 @@ def convex_facets(vertices: Floats, geom: str) -> Facets:
     return Facets(
         vertices=scaled[used] * diagonal + middle,
         polygons=tuple(np.split(corners, ends[:-1])),
-        normals=normals,
+        outward_normals=normals,
         offsets=planes[order, 3] * diagonal + normals @ middle,
     )
 

@@ -36,8 +36,8 @@ ROUNDING = 1e-12
 class Planes:
     """The planes n_k . p = o_k of the facets."""
 
-    normals: Floats
-    """Outward unit normals, shape (planes, 3)."""
+    outward_normals: Floats
+    """n_k, of unit length, shape (planes, 3)."""
 
     offsets: Floats
     """Distances from the origin along the normals, shape (planes,) [m]."""
@@ -63,7 +63,7 @@ class Planes:
 
     def below(self, points: Floats) -> Floats:
         """How far each point lies below each plane, shape (n, planes) [m]."""
-        return self.offsets - points @ self.normals.T
+        return self.offsets - points @ self.outward_normals.T
 
     def _nearest(self, points: Floats, tie: float) -> tuple[Floats, Indices]:
         """Depth below the nearest plane, and the first of those that are as near but for the tie."""
@@ -84,19 +84,19 @@ class Planes:
     def _asked(self, points: Floats, point: Indices, block: Indices) -> Floats:
         """How far some points lie below the planes of one block each, shape (asked, planes of a block) [m]."""
         planes = self._blocks.planes[block]
-        return self.offsets[planes] - np.einsum("apd,ad->ap", self.normals[planes], points[point])
+        return self.offsets[planes] - np.einsum("apd,ad->ap", self.outward_normals[planes], points[point])
 
     @cached_property
     def _blocks(self) -> "_Blocks":
         size = np.ptp(self.middles, axis=0).max()
-        planes = neighbour_blocks(np.hstack([self.normals, self.middles / size]))
-        normals, near = self.normals[planes].mean(axis=1), self.middles[planes].mean(axis=1)
-        below = self.offsets[planes] - np.einsum("bpd,bd->bp", self.normals[planes], near)
+        planes = neighbour_blocks(np.hstack([self.outward_normals, self.middles / size]))
+        normals, near = self.outward_normals[planes].mean(axis=1), self.middles[planes].mean(axis=1)
+        below = self.offsets[planes] - np.einsum("bpd,bd->bp", self.outward_normals[planes], near)
         return _Blocks(
             planes=planes,
             normals=normals,
             near=near,
-            spreads=norm(self.normals[planes] - normals[:, None]).max(axis=1),
+            spreads=norm(self.outward_normals[planes] - normals[:, None]).max(axis=1),
             depths=below.min(axis=1) - ROUNDING * size,
         )
 

@@ -37,8 +37,8 @@ class Polyhedron:
     polygons: tuple[Indices, ...]
     """For each facet the indices of its corners, counter-clockwise seen from outside."""
 
-    normals: Floats
-    """Outward unit normals, shape (facets, 3)."""
+    outward_normals: Floats
+    """Unit normals, shape (facets, 3)."""
 
     offsets: Floats
     """Distances of the facets' planes from the origin along their normals, shape (facets,) [m]."""
@@ -70,14 +70,14 @@ class Polyhedron:
 
     def project(self, points: Floats, facets: Indices) -> tuple[Floats, Floats]:
         """See `ConvexPart.project`."""
-        normals = self.normals[facets]
-        height = (points * normals).sum(axis=1) - self.offsets[facets]
-        feet = points - height[:, None] * normals
+        outward = self.outward_normals[facets]
+        height = (points * outward).sum(axis=1) - self.offsets[facets]
+        feet = points - height[:, None] * outward
         doubtful = np.arange(len(feet)) if len(self.offsets) <= MOST_ASKED else self._beside(feet, facets)
         outside = doubtful[self.depth(feet[doubtful]) < -MERGE_TOLERANCE * self._length]
         for index in outside:
-            feet[index] = _nearest_in_polygon(self.vertices[self.polygons[facets[index]]], normals[index], feet[index])
-        return feet, -normals
+            feet[index] = _nearest_in_polygon(self.vertices[self.polygons[facets[index]]], outward[index], feet[index])
+        return feet, -outward
 
     def depth(self, points: Floats) -> Floats:
         """See `ConvexPart.depth`; of many facets the nearest is sought only for points outside of the core."""
@@ -92,14 +92,14 @@ class Polyhedron:
         """Indices of the points of facets' planes that are not in the first triangle of their facet."""
         corners = self.vertices[np.array([self.polygons[facet][:3] for facet in facets]).reshape(-1, 3)]
         edges = np.roll(corners, -1, axis=1) - corners
-        sides = np.cross(edges, feet[:, None] - corners) @ self.normals[facets][:, :, None]
+        sides = np.cross(edges, feet[:, None] - corners) @ self.outward_normals[facets][:, :, None]
         return np.flatnonzero((sides[..., 0] < 0).any(axis=1))
 
     @cached_property
     def _planes(self) -> Planes:
         corners, counts = np.concatenate(self.polygons), np.array([len(ring) for ring in self.polygons])
         sums = np.add.reduceat(self.vertices[corners], counts.cumsum() - counts)
-        return Planes(normals=self.normals, offsets=self.offsets, middles=sums / counts[:, None])
+        return Planes(outward_normals=self.outward_normals, offsets=self.offsets, middles=sums / counts[:, None])
 
     @cached_property
     def _core(self) -> Planes:
@@ -107,7 +107,7 @@ class Polyhedron:
         some = self.polygons[:: len(self.polygons) // CORE]
         hull = ConvexHull(self.vertices[np.unique(np.concatenate(some))])
         middles = hull.points[hull.simplices].mean(axis=1)
-        return Planes(normals=hull.equations[:, :3], offsets=-hull.equations[:, 3], middles=middles)
+        return Planes(outward_normals=hull.equations[:, :3], offsets=-hull.equations[:, 3], middles=middles)
 
     @cached_property
     def _length(self) -> float:

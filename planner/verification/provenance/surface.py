@@ -102,10 +102,10 @@ def _on_planes(part: Polyhedron, points: Floats, normals: Floats, tolerance: flo
     """Whether each point lies on a polyhedron, on a facet with its normal, shape (n,)."""
     on, step = np.zeros(len(points), dtype=bool), max(1, CHUNK // len(part.offsets))
     for start in range(0, len(points), step):
-        slack = part.offsets - points[start : start + step] @ part.normals.T
+        slack = part.offsets - points[start : start + step] @ part.outward_normals.T
         inside = (slack >= -tolerance).all(axis=1, keepdims=True)
         point, facet = np.nonzero(inside & (slack <= tolerance))
-        same = norm(part.normals[facet] + normals[start + point]) <= SAME_NORMAL
+        same = norm(part.outward_normals[facet] + normals[start + point]) <= SAME_NORMAL
         on[start + point[same]] = True
     return on
 

@@ -19,7 +19,7 @@ from tests.tools.commands import ASSETS, run, says
 
 OBJECTS = sorted(ASSETS.glob("*/*.xml"))
 HALF_A_THOUSANDTH = 0.5e-6 * np.sqrt(3)
-CUBE = rigid_object(box((0, 0, 0), (0.05, 0.05, 0.05)))
+CUBE = rigid_object(box((0.05, 0.05, 0.05)))
 
 
 @pytest.mark.parametrize("path", OBJECTS, ids=lambda path: path.stem)

@@ -16,14 +16,14 @@ def as_set(points: Floats) -> set[tuple[float, ...]]:
 
 
 def test_a_box_gets_the_cell_centres_of_its_faces() -> None:
-    points = grid_candidates(rigid_object(box((0, 0, 0), (2, 1, 0.5))), 1.0, 0.5).contacts.points
+    points = grid_candidates(rigid_object(box((2, 1, 0.5))), 1.0, 0.5).contacts.points
     assert len(points) == 2 * (4 * 2 + 2 * 1 + 4 * 1)
     top = {(x, y, 0.5) for x in (-1.5, -0.5, 0.5, 1.5) for y in (-0.5, 0.5)}
     assert top <= as_set(points)
 
 
 def test_a_coarse_grid_keeps_one_cell_per_face() -> None:
-    points = grid_candidates(rigid_object(box((0, 0, 0), (2, 1, 0.5))), 100.0, 0.5).contacts.points
+    points = grid_candidates(rigid_object(box((2, 1, 0.5))), 100.0, 0.5).contacts.points
     assert as_set(points) == {(2, 0, 0), (-2, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 0.5), (0, 0, -0.5)}
 
 
@@ -35,7 +35,7 @@ def test_the_papers_caps_are_the_grid_of_a_ninth_of_the_leg() -> None:
 
 
 def test_centres_inside_other_parts_are_left_out() -> None:
-    plus = rigid_object(box((0, 0, 0), (3, 1, 1)), box((0, 0, 0), (1, 3, 1)))
+    plus = rigid_object(box((3, 1, 1)), box((1, 3, 1)))
     candidates = grid_candidates(plus, 2.0, None)
     depths = np.max([part.depth(candidates.contacts.points) for part in plus.parts], axis=0)
     assert np.abs(depths).max() < 1e-12

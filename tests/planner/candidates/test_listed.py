@@ -32,13 +32,13 @@ def test_points_of_several_parts_find_the_right_one() -> None:
 
 
 def test_a_point_on_an_edge_belongs_to_its_first_facet() -> None:
-    cube = rigid_object(box((0, 0, 0), (1, 1, 1)))
+    cube = rigid_object(box((1, 1, 1)))
     edge = listed_candidates(cube, np.array([[1.0, 0.3, 1.0]]))
     faces = [cube.parts[0].nearest_facet(np.array([face]))[0] for face in ([1.0, 0.3, 0.0], [0.0, 0.3, 1.0])]
     assert edge.facet.tolist() == [min(faces)]
 
 
-STEP = rigid_object(box((0, 0, 0), (2, 1, 1)), box((0, 0, 1), (1, 1, 1)))
+STEP = rigid_object(box((2, 1, 1)), box((1, 1, 1), (0, 0, 1)))
 
 
 @pytest.mark.parametrize(

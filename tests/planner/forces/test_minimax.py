@@ -10,7 +10,7 @@ from planner.contacts import Contacts, grasp_maps
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem, ForceSolution
 from planner.forces.reference import ReferenceForces
-from planner.wrench_sets.box import Box
+from planner.wrench_sets.box import WrenchBox
 from tests.strategies.force_problems import SEEDS, SHAPES, cone_forces, random_contacts, random_problem
 
 SOLVERS = {shape: MinimaxForces(*shape) for shape in SHAPES}  # reused, as in the search
@@ -157,7 +157,7 @@ def test_the_papers_prism_needs_the_forces_the_paper_prints(points: list[list[fl
         friction=np.full(3, 0.3),
     )
     weight, gamma = 16 * 0.01, 2 * np.sqrt(2) / 3
-    required = Box(force=3 * (weight,), moment=3 * (0.8 * gamma * weight,)).vertices()
+    required = WrenchBox(force=3 * (weight,), moment=3 * (0.8 * gamma * weight,)).vertices()
     phis = [
         solve(ForceProblem(contacts=contacts, reference_point=np.zeros(3), wrench=wrench)).phi for wrench in required
     ]

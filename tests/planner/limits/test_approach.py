@@ -114,7 +114,7 @@ def test_a_planar_way_is_free_as_far_as_discs_along_it_touch_nothing(
 
 
 def test_the_way_stays_above_the_table() -> None:
-    brick = rigid_object(box((0, 0, 0.1), (0.1, 0.1, 0.1)))
+    brick = rigid_object(box((0.1, 0.1, 0.1), (0, 0, 0.1)))
     sides = listed_candidates(brick, np.array([[0.1, 0, 0.049], [0.1, 0, 0.051], [0, 0, 0.2]]), None)
     limits = Limits(approach=Approach(radius=0.05, length=0.1), table=Table(normal=(0, 0, 1), clearance=1e-3))
     assert approachable(brick, sides, limits).tolist() == [False, True, True]
@@ -122,7 +122,7 @@ def test_the_way_stays_above_the_table() -> None:
 
 
 def test_a_plate_thinner_than_the_fingertip_hides_what_it_is_glued_on() -> None:
-    plate = rigid_object(box((0, 0, 0), (1, 1, 1)), box((0, 0, 1.01), (0.5, 0.5, 0.01)))
+    plate = rigid_object(box((1, 1, 1)), box((0.5, 0.5, 0.01), (0, 0, 1.01)))
     top = np.array([[x, 0.0, 1.0] for x in (0.0, 0.45, 0.559, 0.561)])
     facet, part = plate.parts[0].nearest_facet(top), np.zeros(len(top), dtype=int)
     candidates = candidates_at(plate, top, part, facet, None)

@@ -39,7 +39,7 @@ within = {{lower = [0, 0, 0], upper = [1, 1, 1]}}
 
 
 def brick() -> RigidObject:
-    return rigid_object(box((0, 0, 0), (0.03, 0.02, 0.01)))
+    return rigid_object(box((0.03, 0.02, 0.01)))
 
 
 def written(folder: Path, text: str) -> Path:

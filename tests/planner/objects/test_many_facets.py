@@ -80,7 +80,9 @@ def test_the_nearest_of_many_facets_is_the_one_that_all_would_name(half_lengths:
     assert len(part.offsets) > MOST_ASKED
     points = near_and_far(part)
     planes = Planes(
-        normals=part.normals, offsets=part.offsets, middles=part.vertices[[ring[0] for ring in part.polygons]]
+        outward_normals=part.outward_normals,
+        offsets=part.offsets,
+        middles=part.vertices[[ring[0] for ring in part.polygons]],
     )
     below = planes.below(points)
     np.testing.assert_allclose(planes.depth(points), below.min(axis=1), atol=1e-14)
@@ -92,7 +94,7 @@ def test_the_nearest_of_many_facets_is_the_one_that_all_would_name(half_lengths:
 def test_depth_in_many_facets_keeps_its_sign_and_never_exceeds_the_distance() -> None:
     part = lump(3000, (0.03, 0.02, 0.05))
     points = near_and_far(part)
-    depths, below = part.depth(points), (part.offsets - points @ part.normals.T).min(axis=1)
+    depths, below = part.depth(points), (part.offsets - points @ part.outward_normals.T).min(axis=1)
     clear = np.abs(below) > 1e-14
     assert ((depths > 0) == (below > 0))[clear].all()
     assert (depths <= below + 1e-14).all()
@@ -134,7 +136,7 @@ def test_coplanar_triangles_found_among_neighbours_are_those_found_among_all(
         fast = hulls.convex_facets(points, "g")
         monkeypatch.undo()
         assert [ring.tolist() for ring in fast.polygons] == [ring.tolist() for ring in plain.polygons]
-        np.testing.assert_allclose(fast.normals, plain.normals, atol=1e-14)
+        np.testing.assert_allclose(fast.outward_normals, plain.outward_normals, atol=1e-14)
 
 
 def test_a_sphere_has_no_sharp_edges_and_half_of_it_has_a_rim() -> None:

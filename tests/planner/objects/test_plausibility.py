@@ -31,7 +31,7 @@ def warned(caplog: pytest.LogCaptureFixture) -> list[str]:
     [(0.0019, "1.9 mm long.*scale of 0.001"), (0.0021, None), (2.9, None), (3.1, "3100 mm long.*millimetres")],
 )
 def test_sizes_of_another_unit_are_doubted(length: float, doubt: str | None) -> None:
-    doubts = size_doubts(rigid_object(box((0, 0, 0), (length / 2, length / 4, length / 4))))
+    doubts = size_doubts(rigid_object(box((length / 2, length / 4, length / 4))))
     assert len(doubts) == (doubt is not None)
     for said in doubts:
         assert doubt is not None
@@ -56,12 +56,12 @@ def test_a_planar_outline_in_millimetres_is_doubted(tmp_path: Path, caplog: pyte
 )
 def test_height_outside_is_over_the_hull_of_all_parts(center: tuple[float, float, float], outside: float) -> None:
     """Two cubes with a gap between: a centre of mass in the gap is none to doubt."""
-    pair = rigid_object(box((-1, 0, 0), (1, 1, 1)), box((1.5, 0, 0), (0.5, 1, 1)))
+    pair = rigid_object(box((1, 1, 1), (-1, 0, 0)), box((0.5, 1, 1), (1.5, 0, 0)))
     assert height_outside(pair, np.array(center, dtype=float)) == pytest.approx(outside, abs=1e-9)
 
 
 def test_a_centre_of_mass_outside_the_hull_is_doubted_with_the_place_and_the_distance() -> None:
-    cube = rigid_object(box((0, 0, 0), (0.05, 0.05, 0.05)))
+    cube = rigid_object(box((0.05, 0.05, 0.05)))
     good = replace(cube, inertia=1e-4 * np.eye(3))
     assert mass_doubts(good) == []
     given = good.weighing(GivenMass(center_of_mass=np.array([0, 0, 0.06])))
@@ -95,7 +95,7 @@ def test_gravity_is_not_doubted_where_it_does_not_matter(tmp_path: Path, caplog:
 
 
 def test_a_grid_wider_than_a_part_is_doubted(caplog: pytest.LogCaptureFixture) -> None:
-    pair = rigid_object(box((0, 0, 0), (0.1, 0.1, 0.1)), box((0, 0, 0.11), (0.01, 0.01, 0.01)))
+    pair = rigid_object(box((0.1, 0.1, 0.1)), box((0.01, 0.01, 0.01), (0, 0, 0.11)))
     assert grid_doubts(pair, 0.019) == []
     assert "grid of 21 mm is wider than 'part'" in grid_doubts(pair, 0.021)[0]
     assert "'part' and 1 more" in grid_doubts(pair, 4.0)[0]
@@ -105,7 +105,7 @@ def test_a_grid_wider_than_a_part_is_doubted(caplog: pytest.LogCaptureFixture) -
 
 @pytest.mark.parametrize(("friction", "doubted"), [(0.1, False), (2.0, False), (2.1, True), (30.0, True)])
 def test_friction_of_no_material_is_doubted(friction: float, doubted: bool, caplog: pytest.LogCaptureFixture) -> None:
-    make_candidates(rigid_object(box((0, 0, 0), (0.1, 0.1, 0.1))), "30", friction)
+    make_candidates(rigid_object(box((0.1, 0.1, 0.1))), "30", friction)
     assert [f"coefficient of {friction:g} is more" in said for said in warned(caplog)] == ([True] if doubted else [])
     assert bool(friction_doubts(np.array([0.5, friction]))) == doubted
 

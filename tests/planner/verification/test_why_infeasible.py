@@ -18,7 +18,7 @@ from sim.report.report_data import hopeless_wrench
 from tests.strategies.parts import box, rigid_object
 from tests.tools.commands import run, says
 
-BRICK = rigid_object(box((0, 0, 0), (0.05, 0.03, 0.08)))
+BRICK = rigid_object(box((0.05, 0.03, 0.08)))
 DOWN = [0.0, 0, -78.4, 0, 0, 0]
 
 

@@ -10,13 +10,13 @@ from scipy.spatial.transform import Rotation
 
 from planner.arrays import Floats
 from planner.errors import TaskError
-from planner.wrench_sets.ball import Ball
-from planner.wrench_sets.box import Box
+from planner.wrench_sets.ball import WrenchBall
+from planner.wrench_sets.box import WrenchBox
 from planner.wrench_sets.by_name import KINDS
-from planner.wrench_sets.cylinder import Cylinder
-from planner.wrench_sets.ellipsoid import Ellipsoid
-from planner.wrench_sets.polytope import Polytope
-from planner.wrench_sets.single import Single
+from planner.wrench_sets.cylinder import WrenchCylinder
+from planner.wrench_sets.ellipsoid import WrenchEllipsoid
+from planner.wrench_sets.polytope import WrenchPolytope
+from planner.wrench_sets.single import SingleWrench
 from planner.wrench_sets.wrench_set import WrenchSet
 
 TURN = np.asarray(Rotation.from_rotvec([0.3, -0.5, 0.8]).as_matrix())
@@ -36,35 +36,37 @@ def turned(w: Floats) -> Floats:
 # Each set, and by how much a wrench violates its definition (not positive: a member).
 SETS: dict[str, tuple[WrenchSet, Callable[[Floats], float]]] = {
     "box in space": (
-        Box(force=(1, 2, 3), moment=(0.1, 0.2, 0.3), center=(0, 0, -9, 0, 1, 0)),
+        WrenchBox(force=(1, 2, 3), moment=(0.1, 0.2, 0.3), center=(0, 0, -9, 0, 1, 0)),
         lambda w: float((np.abs(w - [0, 0, -9, 0, 1, 0]) - [1, 2, 3, 0.1, 0.2, 0.3]).max()),
     ),
-    "flat box in the plane": (Box(force=(1, 0), moment=(2,)), lambda w: float((np.abs(w) - [1, 0, 2]).max())),
+    "flat box in the plane": (WrenchBox(force=(1, 0), moment=(2,)), lambda w: float((np.abs(w) - [1, 0, 2]).max())),
     "ball in space": (
-        Ball(radius=2, length=0.1, facets=84),
+        WrenchBall(radius=2, length=0.1, facets=84),
         lambda w: np.hypot(length(w[:3]), length(w[3:]) / 0.1) - 2,
     ),
     "ball in the plane": (
-        Ball(radius=2, length=0.1, dimension=2),
+        WrenchBall(radius=2, length=0.1, dimension=2),
         lambda w: np.hypot(length(w[:2]), length(w[2:]) / 0.1) - 2,
     ),
     "turned ellipsoid": (
-        Ellipsoid(force=(1, 2, 3), moment=(0.1, 0.4, 0.2), rotation=TURN_ROWS),
+        WrenchEllipsoid(force=(1, 2, 3), moment=(0.1, 0.4, 0.2), rotation=TURN_ROWS),
         lambda w: length(turned(w) / [1, 2, 3, 0.1, 0.4, 0.2]) - 1,
     ),
     "flat ellipsoid off the origin": (
-        Ellipsoid(force=(1, 0), moment=(0.5,), center=(0, 3, 0)),
+        WrenchEllipsoid(force=(1, 0), moment=(0.5,), center=(0, 3, 0)),
         lambda w: max(np.hypot(w[0], w[2] / 0.5) - 1, abs(w[1] - 3)),
     ),
-    "cylinder in space": (Cylinder(force=5, moment=0.1), lambda w: max(length(w[:3]) - 5, length(w[3:]) - 0.1)),
+    "cylinder in space": (WrenchCylinder(force=5, moment=0.1), lambda w: max(length(w[:3]) - 5, length(w[3:]) - 0.1)),
     "cylinder in the plane": (
-        Cylinder(force=5, moment=2, dimension=2),
+        WrenchCylinder(force=5, moment=2, dimension=2),
         lambda w: max(length(w[:2]) - 5, abs(w[2]) - 2),
     ),
-    "forces only": (Cylinder(force=5, moment=0), lambda w: max(length(w[:3]) - 5, length(w[3:]))),
-    "single": (Single(wrench=(0, 0, -5, 0, 0, 0.1)), lambda w: length(w - [0, 0, -5, 0, 0, 0.1])),
+    "forces only": (WrenchCylinder(force=5, moment=0), lambda w: max(length(w[:3]) - 5, length(w[3:]))),
+    "single": (SingleWrench(wrench=(0, 0, -5, 0, 0, 0.1)), lambda w: length(w - [0, 0, -5, 0, 0, 0.1])),
 }
-EVERY_SET = {name: wrench_set for name, (wrench_set, _) in SETS.items()} | {"polytope": Polytope(wrenches=CORNERS)}
+EVERY_SET = {name: wrench_set for name, (wrench_set, _) in SETS.items()} | {
+    "polytope": WrenchPolytope(wrenches=CORNERS)
+}
 
 
 def random_directions(dimension: int, count: int) -> Floats:
@@ -129,17 +131,17 @@ def test_a_polytope_is_its_own_outer_approximation(name: str) -> None:
 
 def test_the_planar_cylinder_is_the_papers_ten_sided_polyhedron() -> None:
     """8 sides with flats on the axes, 2 caps, 16 vertices."""
-    vertices = Cylinder(force=3, moment=2, dimension=2).vertices()
+    vertices = WrenchCylinder(force=3, moment=2, dimension=2).vertices()
     sides = np.unique(np.round(ConvexHull(vertices).equations, 6) + 0.0, axis=0)
     assert (len(vertices), len(sides)) == (16, 10)
     np.testing.assert_allclose(vertices.max(axis=0), [3, 3, 2])
 
 
 def test_a_box_has_a_corner_for_every_choice_of_signs() -> None:
-    vertices = Box(force=(1, 1, 1), moment=(2, 2, 2)).vertices()
+    vertices = WrenchBox(force=(1, 1, 1), moment=(2, 2, 2)).vertices()
     assert len(vertices) == 64
     np.testing.assert_array_equal(np.abs(vertices), np.tile([1, 1, 1, 2, 2, 2], (64, 1)))
-    assert len(Box(force=(1, 0, 0), moment=(0, 0, 2)).vertices()) == 4
+    assert len(WrenchBox(force=(1, 0, 0), moment=(0, 0, 2)).vertices()) == 4
 
 
 def test_every_kind_has_a_set_under_test() -> None:
@@ -183,6 +185,6 @@ def test_malformed_values_are_refused_with_what_is_allowed(kind: str, values: di
 
 @pytest.mark.parametrize("facets", ["force_facets", "moment_facets"])
 def test_zero_facets_are_refused_not_replaced(facets: str) -> None:
-    cylinder = Cylinder(force=1, moment=1, **{facets: 0})
+    cylinder = WrenchCylinder(force=1, moment=1, **{facets: 0})
     with pytest.raises(TaskError, match="got 0"):
         cylinder.vertices()

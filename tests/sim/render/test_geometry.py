@@ -9,8 +9,7 @@ from sim.render.outline import visible_edges
 from sim.render.recording import Recording
 from sim.render.sight import exit_distance, open_to, ray_hits
 from sim.render.view import View, best_direction
-from tests.strategies.parts import rigid_object
-from tests.strategies.planned_grasps import box
+from tests.strategies.parts import box, rigid_object
 
 
 def test_rays_meet_the_object_where_mujoco_says(prism: RigidObject, recording: Recording) -> None:

@@ -16,6 +16,7 @@ from sim.scene.scene import Scene, build_scene
 from sim.scene.units import Units, units_of
 from sim.trial.experiment import floating_object
 from sim.trial.protocol import ACTIVE
+from tests.tools.movable_geom import body_id
 
 ASSETS = Path(__file__).resolve().parents[3] / "assets"
 SHARED = Path(__file__).resolve().parents[4] / "shared" / "objects"
@@ -108,8 +109,7 @@ def original_distances(rigid_object: RigidObject, origins: Floats, directions: F
     model = mujoco.MjModel.from_xml_path(str(rigid_object.file))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    named = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, rigid_object.body)
-    body = named if named >= 0 else int(rigid_object.body.removeprefix("body"))
+    body = body_id(model, rigid_object.body)
     X, R = data.xpos[body], data.xmat[body].reshape(3, 3)
     return distances(model, X + origins @ R.T, directions @ R.T, body)
 

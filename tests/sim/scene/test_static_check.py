@@ -10,11 +10,11 @@ from planner.objects.rigid_object import ConvexPart
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE
 from sim.validation.validation import Validation, validate_contacts
-from tests.strategies.parts import rigid_object
-from tests.strategies.planned_grasps import box, prism
+from tests.strategies.parts import box, rigid_object
+from tests.strategies.planned_grasps import prism
 
 BASE = box((0.04, 0.02, 0.004))
-UPRIGHT = box((0.004, 0.02, 0.03), position=(-0.036, 0, 0.034))
+UPRIGHT = box((0.004, 0.02, 0.03), (-0.036, 0, 0.034))
 """Together an L: the corner between its inner faces is the line x = CORNER, z = 0.004."""
 CORNER = -0.032
 LARGEST_TIP, SMALLEST_TIP = 0.004 * max(ACTIVE.tip_radii), 0.004 * min(ACTIVE.tip_radii)

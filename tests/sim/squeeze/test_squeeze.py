@@ -18,8 +18,8 @@ from sim.commands.validate import Options
 from sim.squeeze.document import FORMAT, SqueezeDocument, to_document, write_squeeze
 from sim.squeeze.squeeze import SQUEEZE, SqueezeForce, measure_squeeze_force
 from sim.trial.loaded_grasp import LoadedGrasp
-from tests.strategies.parts import rigid_object
-from tests.strategies.planned_grasps import Planned, box, prism
+from tests.strategies.parts import box, rigid_object
+from tests.strategies.planned_grasps import Planned, prism
 from tests.tools.commands import ASSETS
 
 

@@ -13,8 +13,8 @@ from sim.trial.protocol import ACTIVE
 from sim.validation.control_experiments import displacement_control
 from sim.validation.displacement import displaced_grasps
 from sim.validation.verdict import Verdict, judge
-from tests.strategies.parts import rigid_object
-from tests.strategies.planned_grasps import Planned, box, prism
+from tests.strategies.parts import box, rigid_object
+from tests.strategies.planned_grasps import Planned, prism
 
 GRASP = replace(prism(), wrenches=prism().wrenches[::4])
 

@@ -38,7 +38,7 @@ def test_facets_do_not_depend_on_the_order_of_the_vertices() -> None:
         again = convex_facets(np.random.default_rng(seed).permutation(points), "drum")
         assert [polygon.tolist() for polygon in again.polygons] == [polygon.tolist() for polygon in first.polygons]
         np.testing.assert_allclose(again.vertices, first.vertices, atol=1e-15)
-        np.testing.assert_allclose(again.normals, first.normals, atol=1e-14)
+        np.testing.assert_allclose(again.outward_normals, first.outward_normals, atol=1e-14)
 
 
 def test_the_prism_has_its_five_planes() -> None:
@@ -51,7 +51,7 @@ def test_the_prism_has_its_five_planes() -> None:
         ((0, 0, 1), 1),
         ((diagonal, diagonal, 0), 2 * np.sqrt(2) / 3),
     ]
-    np.testing.assert_allclose(facets.normals, [normal for normal, _ in expected], atol=1e-14)
+    np.testing.assert_allclose(facets.outward_normals, [normal for normal, _ in expected], atol=1e-14)
     np.testing.assert_allclose(facets.offsets, [offset for _, offset in expected], atol=1e-14)
 
 

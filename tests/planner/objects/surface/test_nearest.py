@@ -40,16 +40,16 @@ def test_distance_to_a_single_part_is_exact(name: str, local: tuple[float, ...],
 
 
 def test_faces_inside_other_parts_do_not_count() -> None:
-    bar = rigid_object(box((-1, 0, 0), (1.5, 1, 1)), box((1, 0, 0), (1.5, 1, 1)))
+    bar = rigid_object(box((1.5, 1, 1), (-1, 0, 0)), box((1.5, 1, 1), (1, 0, 0)))
     assert surface_distance(bar, np.zeros(3)) == pytest.approx(1, abs=1e-12)
     assert surface_distance(bar, np.array([2.3, 0, 0])) == pytest.approx(0.2, abs=1e-12)
 
 
 def test_the_nearest_point_may_lie_where_parts_intersect() -> None:
-    corner = rigid_object(box((0, 0, 0), (2, 0.5, 0.5)), box((-1.5, 1.5, 0), (0.5, 2, 0.5)))
+    corner = rigid_object(box((2, 0.5, 0.5)), box((0.5, 2, 0.5), (-1.5, 1.5, 0)))
     point = np.array([-1.3, 0.2, 0.45])  # below the reentrant edge x = -1, y = 0.5, and near the top
     assert surface_distance(corner, point) == pytest.approx(0.05, abs=1e-12)
-    tall = rigid_object(box((0, 0, 0), (2, 0.5, 5)), box((-1.5, 1.5, 0), (0.5, 2, 5)))
+    tall = rigid_object(box((2, 0.5, 5)), box((0.5, 2, 5), (-1.5, 1.5, 0)))
     distance = surface_distance(tall, point)
     assert np.hypot(0.3, 0.3) <= distance <= 1.002 * np.hypot(0.3, 0.3)
 
