@@ -11,12 +11,17 @@ SMALLEST_BLOCK = 128
 
 
 def neighbour_blocks(pool: Floats) -> Indices:
-    """Indices of the pool's points in blocks of neighbours, shape (blocks, size); a few points appear twice.
-
-    Every group is halved at the middle of its longest extent until it is small enough.
-    """
+    """Indices of the pool's points in blocks of neighbours, shape (blocks, size); a few points appear twice."""
     block = max(SMALLEST_BLOCK, math.isqrt(len(pool)) // 4)
-    halvings = max(0, math.ceil(math.log2(len(pool) / block)))
+    return halved(pool, max(0, math.ceil(math.log2(len(pool) / block))))
+
+
+def halved(pool: Floats, halvings: int) -> Indices:
+    """The same in 2^halvings blocks: each is halved at the middle of its longest extent, as often as that.
+
+    Blocks 2 b and 2 b + 1 are the halves of block b of one halving less. Some points appear twice, or more often if
+    there are more blocks than points.
+    """
     order = np.resize(np.arange(len(pool)), (1, -(-len(pool) // 2**halvings) * 2**halvings))
     for _ in range(halvings):
         points = pool[order]

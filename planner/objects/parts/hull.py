@@ -12,7 +12,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
-from planner.arrays import Floats, Indices
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import ObjectError
 from planner.millimetres import in_mm
 
@@ -116,7 +116,13 @@ def _outlines(points: Floats, hull: ConvexHull) -> list[Indices]:
     sizes = np.bincount(clusters)
     single = np.repeat(sizes == 1, sizes)
     outlines = list(_triangles(points, np.sort(triangles[together[single]], axis=1), normals[together[single]]))
-    for cluster in np.split(together[~single], sizes[sizes > 1].cumsum()[:-1]) if (~single).any() else []:
+    pairs = together[np.repeat(sizes == 2, sizes)].reshape(-1, 2)
+    plain, quadrangles = _quadrangles(points, triangles[pairs], hull.equations[pairs])
+    outlines.extend(quadrangles)
+    several = sizes > 1
+    several[sizes == 2] = ~plain
+    left = together[np.repeat(several, sizes)]
+    for cluster in np.split(left, sizes[several].cumsum()[:-1]) if len(left) else []:
         for corners, normal in _coplanar_groups(points, triangles[cluster], hull.equations[cluster]):
             outlines.append(_polygon(points, corners, normal))
     return [outline for outline in outlines if len(outline) >= 3]
@@ -138,6 +144,38 @@ def _clusters(points: Floats, hull: ConvexHull) -> Indices:
     pairs = (np.ones(len(triangle), dtype=bool), (triangle, neighbours[triangle, side]))
     labels: Indices = connected_components(coo_array(pairs, shape=(count, count)), directed=False)[1]
     return labels
+
+
+def _quadrangles(points: Floats, pairs: Indices, planes: Floats) -> tuple[Mask, Indices]:
+    """Pairs of neighbouring triangles that are one convex quadrangle each beyond doubt, all at once.
+
+    The second triangle is flush with the first, and each corner is farther than MERGE_TOLERANCE from the line through
+    any two others, so that `_coplanar_groups` and `_polygon` would find the same.
+
+    Args:
+        points: Shape (n, 3).
+        pairs: Indices of their corners, the larger triangle first, shape (pairs, 2, 3).
+        planes: Outward unit normal and negative offset of each triangle, shape (pairs, 2, 4).
+
+    Returns:
+        Which pairs are, shape (pairs,), and the outlines of those, from the first corner on, shape (quadrangles, 4).
+    """
+    normals, everyone = planes[:, 0, :3], np.arange(len(pairs))
+    first, second = _triangles(points, pairs[:, 0], normals), pairs[:, 1]
+    shared = first[:, :, None] == second[:, None]
+    start, opposite = shared.any(axis=2).argmin(axis=1), second[everyone, shared.any(axis=1).argmin(axis=1)]
+    before, after = first[everyone, (start + 2) % 3], first[everyone, (start + 1) % 3]
+    outlines = np.column_stack([first[everyone, start], after, opposite, before])
+    corners = points[outlines]
+    heights = np.einsum("pd,pd->p", points[opposite], normals) + planes[:, 0, 3]
+    flush = (np.abs(heights) <= MERGE_TOLERANCE) & ((normals * planes[:, 1, :3]).sum(axis=1) > 0)
+    edges = np.roll(corners, -1, axis=1) - corners
+    areas = np.einsum("pcd,pd->pc", np.cross(edges, np.roll(edges, -1, axis=1)), normals)
+    lengths = np.linalg.norm(edges, axis=2).sum(axis=1) / 2  # no two corners are farther apart
+    convex = (areas > MERGE_TOLERANCE * lengths[:, None]).all(axis=1)
+    plain = flush & convex
+    turns = outlines[plain].argmin(axis=1)[:, None] + np.arange(4)
+    return plain, np.take_along_axis(outlines[plain], turns % 4, axis=1)
 
 
 def _coplanar_groups(points: Floats, triangles: Indices, planes: Floats) -> list[tuple[Indices, Floats]]:

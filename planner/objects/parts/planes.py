@@ -1,22 +1,24 @@
 """The planes of a convex polyhedron's facets: how deep a point lies below the nearest, of few facets or of 200,000.
 
-A point p lies o_k - n_k . p below plane k. Few planes are all asked. Many are bounded in blocks of neighbours: with a
-point q of the polyhedron near a block, m the mean normal, r the largest |n_k - m| and e the least depth of q below the
-block's planes,
+A point p lies o_k - n_k . p below plane k. Few planes are all asked. Many are in blocks of neighbours, cut again and
+again down to single planes, and each block is bounded by a plane j of its own: with a point q of facet j,
 
-    o_k - n_k . p  =  (o_k - n_k . q) - n_k . (p - q)  >=  e - m . (p - q) - r |p - q|,
+    o_k - n_k . p  =  (o_j - n_j . p) + (o_k - o_j - (n_k - n_j) . q) - (n_k - n_j) . (p - q)
+                  >=  (o_j - n_j . p) - e - sum_i r_i |p - q|_i,
 
-so that only blocks are asked whose bound is below the least depth already found.
+where -e is the least of the second terms and r_i the largest |n_k - n_j|_i. Only blocks are cut whose bound is not
+above the least depth already found. Coordinates i are along the principal axes of the polyhedron: where it is long and
+thin, a large |p - q|_i meets a small r_i, so that the bounds of a needle are as tight as those of a ball.
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial.distance import cdist
 
 from planner.arrays import Floats, Indices
-from planner.objects.neighbour_blocks import neighbour_blocks
+from planner.objects.neighbour_blocks import halved
 from planner.objects.vectors import norm
 
 MOST_ASKED = 4096
@@ -25,8 +27,14 @@ MOST_ASKED = 4096
 CHUNK = 4096
 """Points compared with few planes at once: bounds the memory."""
 
-FEW = 256
+FEW = 1024
 """The same for many planes, with some blocks of which each point is compared."""
+
+HALVINGS = 2
+"""How often a block is halved before its pieces are bounded."""
+
+PIECES = 2**HALVINGS
+"""Of one block."""
 
 ROUNDING = 1e-12
 """By how much the bounds are lower for the sake of rounding, relative to the polyhedron's size."""
@@ -67,63 +75,66 @@ class Planes:
 
     def _nearest(self, points: Floats, tie: float) -> tuple[Floats, Indices]:
         """Depth below the nearest plane, and the first of those that are as near but for the tie."""
-        bounds = self._blocks.bounds(points)
-        everyone = np.arange(len(points))
-        least = self._asked(points, everyone, bounds.argmin(axis=1)).min(axis=1)
-        point, block = np.nonzero(bounds <= least[:, None] + tie)
-        depths, first = np.full(len(points), np.inf), np.full(len(points), len(self.offsets))
-        pieces = [slice(start, start + CHUNK) for start in range(0, len(point), CHUNK)]
-        for some in pieces:
-            np.minimum.at(depths, point[some], self._asked(points, point[some], block[some]).min(axis=1))
-        for some in pieces if tie else []:
-            near = self._asked(points, point[some], block[some]) <= depths[point[some], None] + tie
-            planes = np.where(near, self._blocks.planes[block[some]], len(self.offsets))
-            np.minimum.at(first, point[some], planes.min(axis=1))
-        return depths, first
-
-    def _asked(self, points: Floats, point: Indices, block: Indices) -> Floats:
-        """How far some points lie below the planes of one block each, shape (asked, planes of a block) [m]."""
-        planes = self._blocks.planes[block]
-        return self.offsets[planes] - np.einsum("apd,ad->ap", self.outward_normals[planes], points[point])
+        along, least = points @ self._axes, np.full(len(points), np.inf)
+        point, block = np.arange(len(points)), np.zeros(len(points), dtype=int)
+        for level in self._levels:
+            point, block = np.repeat(point, PIECES), (PIECES * block[:, None] + np.arange(PIECES)).ravel()
+            plane = level.planes[block]
+            below = self.offsets[plane] - np.einsum("bd,bd->b", self.outward_normals[plane], points[point])
+            np.minimum.at(least, point, below)
+            away = np.abs(along[point] - level.near[block])
+            bounds = below - level.lags[block] - np.einsum("bd,bd->b", level.spreads[block], away)
+            kept = np.flatnonzero(bounds <= least[point] + tie)
+            point, block, plane, below = point[kept], block[kept], plane[kept], below[kept]
+        near, first = below <= least[point] + tie, np.full(len(points), len(self.offsets))
+        np.minimum.at(first, point[near], plane[near])
+        return least, first
 
     @cached_property
-    def _blocks(self) -> "_Blocks":
+    def _levels(self) -> "list[_Level]":
+        """Blocks of a few pieces of all planes, pieces of those, and so on down to single planes."""
         size = np.ptp(self.middles, axis=0).max()
-        planes = neighbour_blocks(np.hstack([self.outward_normals, self.middles / size]))
-        normals, near = self.outward_normals[planes].mean(axis=1), self.middles[planes].mean(axis=1)
-        below = self.offsets[planes] - np.einsum("bpd,bd->bp", self.outward_normals[planes], near)
-        return _Blocks(
-            planes=planes,
-            normals=normals,
-            near=near,
-            spreads=norm(self.outward_normals[planes] - normals[:, None]).max(axis=1),
-            depths=below.min(axis=1) - ROUNDING * size,
+        pool = np.hstack([self.outward_normals, self.middles / size])
+        depth = math.ceil(math.log(len(self.offsets), PIECES))
+        order = halved(pool, depth * HALVINGS).ravel()
+        return [self._level(order.reshape(PIECES**cuts, -1), ROUNDING * size) for cuts in range(1, depth + 1)]
+
+    def _level(self, planes: Indices, rounding: float) -> "_Level":
+        """Bounds of blocks, shape (blocks, planes of a block)."""
+        normals, blocks = self.outward_normals[planes], np.arange(len(planes))
+        central = norm(normals - normals.mean(axis=1, keepdims=True)).argmin(axis=1)
+        chosen = planes[blocks, central]
+        turns, near = normals - self.outward_normals[chosen, None], self.middles[chosen]
+        rises = self.offsets[planes] - self.offsets[chosen, None] - np.einsum("bpd,bd->bp", turns, near)
+        return _Level(
+            planes=chosen,
+            near=near @ self._axes,
+            lags=rounding - rises.min(axis=1),
+            spreads=np.abs(turns @ self._axes).max(axis=1),
         )
+
+    @cached_property
+    def _axes(self) -> Floats:
+        """Principal axes of the facets' middles, as columns, shape (3, 3)."""
+        axes: Floats = np.linalg.eigh(np.cov(self.middles.T))[1]
+        return axes
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class _Blocks:
-    """Planes in blocks of neighbours, with what bounds them: e, m, r, q of the module's docstring."""
+class _Level:
+    """Planes in blocks of neighbours, with what bounds them: j, q, e, r of the module's docstring."""
 
     planes: Indices
-    """Their numbers, shape (blocks, planes of a block)."""
-
-    normals: Floats
-    """m, shape (blocks, 3)."""
-
-    spreads: Floats
-    """r, shape (blocks,)."""
+    """j, shape (blocks,)."""
 
     near: Floats
-    """q, shape (blocks, 3) [m]."""
+    """q along the principal axes, shape (blocks, 3) [m]."""
 
-    depths: Floats
-    """e, a little less for rounding, shape (blocks,) [m]."""
+    lags: Floats
+    """e, a little more for rounding, shape (blocks,) [m]."""
 
-    def bounds(self, points: Floats) -> Floats:
-        """Depths below which no point, shape (n, 3), lies under a plane of each block, shape (n, blocks) [m]."""
-        along = self.depths + (self.normals * self.near).sum(axis=1) - points @ self.normals.T
-        return along - self.spreads * cdist(points, self.near)
+    spreads: Floats
+    """r along the principal axes, shape (blocks, 3)."""
 
 
 def _first(below: Floats, tie: float) -> Indices:

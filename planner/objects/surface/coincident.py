@@ -1,9 +1,14 @@
 """Which parts of an object coincide: a surface that several parts share is one surface of their union."""
 
+from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
+
 import numpy as np
 
 from planner.arrays import Floats, Mask
 from planner.objects.graspable import Graspable
+from planner.objects.parts.polyhedron import Polyhedron
 from planner.objects.rigid_object import ConvexPart, RigidObject
 
 ON_SURFACE = 1e-6
@@ -14,11 +19,13 @@ INSIDE = 5e-7
 at which points are asked whether they are exposed."""
 
 
-def covered_parts(rigid_object: RigidObject) -> dict[int, int]:
+@lru_cache(maxsize=1)
+def covered_parts(rigid_object: RigidObject) -> Mapping[int, int]:
     """Parts that add nothing to the union because another holds them, each with that other.
 
     Of parts that coincide the first stays. A polyhedron is inside if its corners are; a curved part is asked at the
-    corners of its tessellation and above the middle of each triangle.
+    corners of its tessellation and above the middle of each triangle. The answer for the last object is kept: every
+    step of a command asks for it.
     """
     margin = INSIDE * rigid_object.size
     parts, bounds = rigid_object.parts, np.array([part.bounds() for part in rigid_object.parts])
@@ -31,7 +38,7 @@ def covered_parts(rigid_object: RigidObject) -> dict[int, int]:
             if other < index or not _inside(parts[other], part, margin):
                 covered[index] = other
                 break
-    return covered
+    return MappingProxyType(covered)
 
 
 def finger_parts(rigid_object: Graspable) -> list[int]:
@@ -60,9 +67,9 @@ def parts_through(rigid_object: Graspable, points: Floats) -> Mask:
 
 def _inside(part: ConvexPart, other: ConvexPart, margin: float) -> bool:
     """Whether no point of a part stands out of the other by more than the margin [m]."""
+    if isinstance(part, Polyhedron):
+        return bool((other.depth(part.vertices) >= -margin).all())
     triangles, facets = part.triangles()
     corners = np.unique(triangles.reshape(-1, 3), axis=0)
-    if not (other.depth(corners) >= -margin).all():
-        return False
     middles, _ = part.project(triangles.mean(axis=1), facets)
-    return bool((other.depth(middles) >= -margin).all())
+    return bool((other.depth(np.concatenate([corners, middles])) >= -margin).all())

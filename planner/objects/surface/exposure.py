@@ -10,6 +10,7 @@ import numpy as np
 
 from planner.arrays import Floats, Indices, Mask
 from planner.objects.graspable import Graspable
+from planner.objects.part import Part
 from planner.objects.rigid_object import RigidObject
 from planner.objects.surface.coincident import covered_parts
 
@@ -27,6 +28,8 @@ of the first probe."""
 def exposed(rigid_object: Graspable, points: Floats, normals: Floats, part: Indices) -> Mask:
     """Whether surface points are on the outer surface of the union.
 
+    Parts that others hold are not asked: what lies outside of those lies outside of them.
+
     Args:
         rigid_object: The object.
         points: Points on the surfaces of parts, shape (n, d) [m].
@@ -39,7 +42,7 @@ def exposed(rigid_object: Graspable, points: Floats, normals: Floats, part: Indi
     outside = np.ones(len(points), dtype=bool)
     for height in PROBES:
         probes = points - height * rigid_object.size * normals
-        for index, other in enumerate(rigid_object.parts):
+        for index, other in _holders(rigid_object):
             lower, upper = other.bounds()
             asked = np.flatnonzero(outside & (part != index) & ((probes > lower) & (probes < upper)).all(axis=1))
             outside[asked] = other.depth(probes[asked]) <= 0
@@ -53,7 +56,7 @@ def reachable(
 
     The fingertip is a ball. Distances to other parts are taken to the
     planes of their facets, so near a seam a little more than necessary is given up. Parts that others hold are not
-    asked: what keeps clear of those keeps clear of them.
+    asked here either.
 
     Args:
         rigid_object: The object.
@@ -67,11 +70,16 @@ def reachable(
     """
     clear = exposed(rigid_object, points, normals, part)
     radius = FINGERTIP * rigid_object.size if fingertip is None else fingertip
-    held = covered_parts(rigid_object) if isinstance(rigid_object, RigidObject) else {}
     centers, slack = points - radius * normals, max(SEAM * radius, PROBES[0] * rigid_object.size)
-    for index, other in enumerate(rigid_object.parts):
+    for index, other in _holders(rigid_object):
         lower, upper = other.bounds()
         near = ((centers > lower - radius) & (centers < upper + radius)).all(axis=1)
-        asked = np.flatnonzero(clear & (part != index) & near & (index not in held))
+        asked = np.flatnonzero(clear & (part != index) & near)
         clear[asked] = other.depth(centers[asked]) <= slack - radius
     return clear
+
+
+def _holders(rigid_object: Graspable) -> list[tuple[int, Part]]:
+    """The parts that no other holds, numbered."""
+    held = covered_parts(rigid_object) if isinstance(rigid_object, RigidObject) else {}
+    return [(index, part) for index, part in enumerate(rigid_object.parts) if index not in held]
