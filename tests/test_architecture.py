@@ -3,9 +3,8 @@
 import ast
 import inspect
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-
-import pytest
 
 from tests.tools.commands import ROOT
 
@@ -44,7 +43,6 @@ MOST_PARAMETERS = 6
 """What a function may ask for, `self` aside."""
 
 FILES = sorted(path for package in ("planner", "sim") for path in (ROOT / package).rglob("*.py"))
-NAMES = [path.relative_to(ROOT).as_posix() for path in FILES]
 
 
 def floor_of(module: str) -> int | None:
@@ -69,22 +67,23 @@ def imports(tree: ast.AST) -> Iterator[str]:
             yield from (alias.name for alias in node.names)
 
 
+@cache
 def parsed(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("path", FILES, ids=NAMES)
-def test_arrows_point_down(path: Path) -> None:
-    module = module_of(path)
-    floor = floor_of(module)
-    if module in ("planner", "sim"):
-        return  # the front doors open on every floor
-    assert floor is not None, f"{module} is on no floor: add its room to FLOORS"
-    for used in imports(parsed(path)):
-        if used.split(".")[0] in ("planner", "sim"):
-            below = floor_of(used)
-            assert below is not None, f"{module} imports the front door {used}"
-            assert below <= floor, f"{module} (floor {floor}) imports {used} (floor {below})"
+def test_arrows_point_down() -> None:
+    for path in FILES:
+        module = module_of(path)
+        floor = floor_of(module)
+        if module in ("planner", "sim"):
+            continue  # the front doors open on every floor
+        assert floor is not None, f"{module} is on no floor: add its room to FLOORS"
+        for used in imports(parsed(path)):
+            if used.split(".")[0] in ("planner", "sim"):
+                below = floor_of(used)
+                assert below is not None, f"{module} imports the front door {used}"
+                assert below <= floor, f"{module} (floor {floor}) imports {used} (floor {below})"
 
 
 def test_no_two_files_import_each_other_in_a_circle() -> None:
@@ -109,21 +108,21 @@ def top_level_imports(path: Path) -> Iterator[str]:
         yield from imports(node) if isinstance(node, ast.Import | ast.ImportFrom) else ()
 
 
-@pytest.mark.parametrize("path", FILES, ids=NAMES)
-def test_every_file_says_what_it_is(path: Path) -> None:
-    caption = ast.get_docstring(parsed(path))
-    assert caption, f"{path} has no caption"
-    assert len(inspect.cleandoc(caption).splitlines()[0]) <= 120
+def test_every_file_says_what_it_is() -> None:
+    for path in FILES:
+        caption = ast.get_docstring(parsed(path))
+        assert caption, f"{path} has no caption"
+        assert len(inspect.cleandoc(caption).splitlines()[0]) <= 120, f"{path} has a long caption"
 
 
-@pytest.mark.parametrize("path", FILES, ids=NAMES)
-def test_no_function_asks_for_too_much(path: Path) -> None:
-    for node in ast.walk(parsed(path)):
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            arguments = node.args
-            names = [each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
-            asked = [name for name in names if name not in ("self", "cls")]
-            assert len(asked) <= MOST_PARAMETERS, f"{path}: {node.name} takes {len(asked)}: {', '.join(asked)}"
+def test_no_function_asks_for_too_much() -> None:
+    for path in FILES:
+        for node in ast.walk(parsed(path)):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                arguments = node.args
+                names = [each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
+                asked = [name for name in names if name not in ("self", "cls")]
+                assert len(asked) <= MOST_PARAMETERS, f"{path}: {node.name} takes {len(asked)}: {', '.join(asked)}"
 
 
 def test_every_array_says_what_it_holds() -> None:

@@ -60,17 +60,21 @@ def test_help_teaches_and_loads_nothing_heavy(script: str) -> None:
 
 def test_what_a_command_does_not_need_it_does_not_load(tmp_path: Path) -> None:
     grasp = tmp_path / "prism.grasp.json"
-    drawing, modelling = ("matplotlib", "glfw", "OpenGL", "PIL"), ("trimesh", "cvxpy", "scipy.optimize", "scipy.stats")
+    never = ("matplotlib", "glfw", "OpenGL", "PIL", "trimesh", "typeguard", "asyncio", "urllib.request")
+    optimising, simulating = ("cvxpy", "scipy.optimize", "scipy.stats"), ("dm_control", "mujoco.batch")
+    suspects = (*never, *optimising, *simulating, "numba")
     paper = ("--friction", 0.3, "--task", "paper", "--candidates", "case3")
-    heavy, printed = heavy_after("plan", [PRISM, *paper, "--out", grasp], *drawing, *modelling, "dm_control", "numba")
+    heavy, printed = heavy_after("plan", [PRISM, *paper, "--out", grasp], *suspects)
     assert heavy == ["numba"]
     assert says(printed, r"rho 0\.669003 N")
-    heavy, _ = heavy_after("validate", [grasp, "--out", tmp_path / "x.validation.json"], *drawing, *modelling, "numba")
+    heavy, _ = heavy_after("validate", [grasp, "--out", tmp_path / "x.validation.json"], *suspects)
+    assert heavy == sorted(simulating)
+    heavy, _ = heavy_after("inspect_object", [PRISM], *suspects)
     assert heavy == []
-    heavy, _ = heavy_after("inspect_object", [PRISM], *drawing, *modelling, "dm_control", "numba")
+    heavy, _ = heavy_after("verify", [grasp], *suspects)
+    assert heavy == sorted(optimising)
+    heavy, _ = heavy_after("report", [grasp, "--out", tmp_path / "x.html"], "numba", *optimising, *simulating)
     assert heavy == []
-    heavy, _ = heavy_after("verify", [grasp], *drawing, *modelling, "dm_control", "numba")
-    assert heavy == ["cvxpy", "scipy.optimize", "scipy.stats"]
 
 
 def test_an_impossible_task_is_proven_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

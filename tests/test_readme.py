@@ -40,6 +40,7 @@ def test_every_grasp_command_of_the_readme_runs(tmp_path: Path, monkeypatch: pyt
     assert opened == [(tmp_path / "prism.report.html").resolve().as_uri()]
 
 
+@pytest.mark.slow
 def test_the_python_example_of_the_readme_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

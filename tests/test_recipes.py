@@ -51,7 +51,7 @@ README = (ROOT / "README.md").read_text()
 def problem() -> GraspProblem:
     """Three fingers on a box, 24 candidates."""
     box = read_object(ASSETS / "box" / "box.xml")
-    return GraspProblem(box, make_task("gravity", box), make_candidates(box, "24", 0.6, seed=0), fingers=3)
+    return GraspProblem(box, make_task("axes6", box), make_candidates(box, "24", 0.6, seed=0), fingers=3)
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +99,7 @@ def test_add_shape(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pearl = read_object(tmp_path / "pearl.xml")
     write_mjcf(tmp_path / "written.xml", pearl, np.zeros((0, 3, 3)))
     assert [type(part) for part in (*pearl.parts, *read_object(tmp_path / "written.xml").parts)] == [Pearl, Pearl]
-    task = make_task("gravity", pearl)
+    task = make_task("axes6", pearl)
     held = plan(GraspProblem(pearl, task, make_candidates(pearl, "30", None, seed=0), fingers=3))
     assert validate(pearl, held).verdict == "pass"
 

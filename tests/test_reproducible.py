@@ -11,6 +11,7 @@ import pytest
 from tests.tools.commands import ASSETS, run
 
 
+@pytest.mark.slow
 def test_the_command_in_a_file_makes_the_same_grasp_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     shutil.copy(ASSETS / "box" / "box.xml", "my box.xml")

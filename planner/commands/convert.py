@@ -5,7 +5,7 @@ from pathlib import Path
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, Given, parse, run
 
 HAND = ".npy"
 """Ending of a foreign grasp of a whole hand."""
@@ -28,10 +28,10 @@ class Options:
     out: Path
     """The file to write."""
 
-    wrench: int | None = None
+    wrench: Given[int] = None
     """Number of the wrench whose forces to show, from 0 as in the file; by default the critical one."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved."""
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planner.commands.object_options import ObjectOptions
-from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, Given, parse, run
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,14 +18,14 @@ class Options(ObjectOptions):
     candidates: str = "300"
     """Where fingers may go, as in grasp-plan."""
 
-    fingertip: float | None = None
+    fingertip: Given[float] = None
     """Radius in metres of the fingertip that must fit beside other parts' walls; by default 0.5 % of the object's
     size."""
 
     seed: int = 0
     """Seed of the even candidates."""
 
-    out: Path | None = None
+    out: Given[Path] = None
     """A picture to draw, NAME.png: edges of what collides, and the candidates (needs the extra `plots`)."""
 
 

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import tyro
 
+from planner.terminal.command_line import Given
+
 if TYPE_CHECKING:
     from planner.objects.object_source import ObjectSource
 
@@ -17,20 +19,20 @@ class ObjectOptions:
     object: tyro.conf.Positional[Path]
     """MJCF file of the object: what MuJoCo collides is what is planned on. Or the .toml file of a planar one."""
 
-    body: str | None = None
+    body: Given[str] = None
     """Body that fingers may touch, with what is fixed below it; by default all of the only object in the file. What the
     body is fixed to belongs to the object all the same. Forces, moments and points are in the frame of this body."""
 
-    mass: float | None = None
+    mass: Given[float] = None
     """Mass of the object in kg, where its file has none or a wrong one."""
 
-    com: tuple[float, float, float] | None = None
+    com: Given[tuple[float, float, float]] = None
     """Centre of mass in the body frame in metres, where the file's is wrong."""
 
-    lock_joints: tuple[str, ...] | None = None
+    lock_joints: Given[tuple[str, ...]] = None
     """Joints between the object's bodies to freeze, so that it is one rigid object: their names, or "all"."""
 
-    keyframe: str | None = None
+    keyframe: Given[str] = None
     """Keyframe of the file at which joints are frozen; by default they are where the file puts them (qpos0)."""
 
     @property

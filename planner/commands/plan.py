@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 
 from planner.commands.object_options import ObjectOptions
-from planner.terminal.command_line import ExitCode, as_typed, parse, run, write_json
+from planner.terminal.command_line import ExitCode, Given, as_typed, parse, run, write_json
 from planner.terminal.console import Console
 from planner.terminal.interruption import Interruption, interruption
 
@@ -31,7 +31,7 @@ class Options(ObjectOptions):
     fingers: int = 3
     """How many fingers, 1 to 8."""
 
-    friction: float | None = None
+    friction: Given[float] = None
     """Coulomb coefficient of every contact; by default each geom's own."""
 
     friction_error: float = 0.0
@@ -57,14 +57,14 @@ class Options(ObjectOptions):
     points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
     *.grasp.json, whose contacts are taken."""
 
-    out: Path | None = None
+    out: Given[Path] = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
 
-    fingertip: float | None = None
+    fingertip: Given[float] = None
     """Radius in metres of the fingertip that must fit beside other parts' walls; by default 0.5 % of the object's
     size."""
 
-    limits: Path | None = None
+    limits: Given[Path] = None
     """TOML file of what the hand allows: where fingers must not touch, the table, room to approach, least and greatest
     distance of two contacts, where each finger may touch and how strong it is; see assets/limits."""
 
@@ -79,7 +79,7 @@ class Options(ObjectOptions):
     """How many grasps to write: the best to OUT, the next ones to OUT's name with .2, .3, ...; none in between is
     missing."""
 
-    within: float | None = None
+    within: Given[float] = None
     """Of those, only grasps whose rho exceeds the best by at most this share, for example 0.05."""
 
     apart: float = 0.0
@@ -95,7 +95,7 @@ class Options(ObjectOptions):
     json: bool = False
     """Print one JSON document with the outcome to standard output; words then go to standard error."""
 
-    log_json: Path | None = None
+    log_json: Given[Path] = None
     """File for the search log as it happens, one JSON object per line; the last one has the status."""
 
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run, write_json
+from planner.terminal.command_line import ExitCode, Given, parse, run, write_json
 from planner.terminal.console import Console
 
 MARKS = {"holds": "ok", "fails": "FAIL", "not checked": "?"}
@@ -31,7 +31,7 @@ class Options:
     file: tyro.conf.Positional[Path]
     """A *.grasp.json."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved."""
 
     json: bool = False

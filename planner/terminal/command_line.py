@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from enum import IntEnum
-from typing import TypeVar
+from typing import TypeVar, Union
 
 import tyro
 
@@ -43,6 +43,11 @@ EXIT_CODES = (
 """One line for every command's help."""
 
 Options = TypeVar("Options")
+Value = TypeVar("Value")
+
+Given = Union[None, Value]  # noqa: UP007
+"""An option's value, None where it is not given. To see that the default None is a `Value | None`, Tyro would load
+typeguard, which brings unittest and asyncio: a twentieth of what a command imports."""
 
 
 def parse(options: type[Options], program: str) -> Options:

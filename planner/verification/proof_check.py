@@ -27,7 +27,8 @@ def with_checked_proof(result: SearchResult, stop: Callable[[], bool]) -> tuple[
     """The result with few cuts that prove its bound, and how much of that was checked.
 
     What does not check is not handed on. If the few cuts do not prove the bound, all are taken; if these do not either,
-    that is an error of the search: the bound is lowered to what they do prove, and the status is UNRESOLVED.
+    that is an error of the search: the bound is lowered to what they do prove, to 0 where the check is stopped before
+    that is known, and the status is UNRESOLVED.
 
     Args:
         result: Of a certified search.
@@ -52,7 +53,9 @@ def with_checked_proof(result: SearchResult, stop: Callable[[], bool]) -> tuple[
     while check.counterexample:
         proven = replace(result, status=Status.UNRESOLVED, lower_bound=0.0 if enough() else check.weaker)
         check = _check(proven, enough) if proven.lower_bound else BoundCheck(method=check.method, share=0.0)
-    if proven.status is not result.status:
+    if proven.lower_bound < result.lower_bound:
+        if not check.proven:  # the time is over, and another counterexample may be left
+            proven = replace(proven, lower_bound=0.0)
         logger.warning(
             "the search's proof does not check: its cuts prove %.9g N, not %.9g N; this is an error of this program, "
             "please report the command and the object",

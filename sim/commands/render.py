@@ -6,7 +6,7 @@ from typing import Annotated
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, Given, parse, run
 from planner.terminal.console import Console
 
 
@@ -27,18 +27,18 @@ class Options:
     """What to draw: a still of the end (.png), or a film (.gif, .mp4); by default NAME.png and NAME.gif in the current
     folder."""
 
-    wrench: int | None = None
+    wrench: Given[int] = None
     """Which wrench of the task pushes; by default the critical one, which needs rho. Another one needs phi, and is
     shown with the cap at 1.02 phi and 0.98 phi."""
 
     size: tuple[int, int] = (960, 540)
     """Width and height [pixels]."""
 
-    view: tuple[float, float] | None = None
+    view: Given[tuple[float, float]] = None
     """Azimuth of the camera's sight, and how far it looks down [degrees]; by default where the contacts are seen
     best."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved."""
 
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False

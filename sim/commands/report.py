@@ -3,10 +3,14 @@
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, Given, parse, run
+
+if TYPE_CHECKING:
+    from planner.grasps.grasp import Grasp
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,13 +25,13 @@ class Options:
     files: tyro.conf.Positional[tuple[Path, ...]]
     """One or more *.grasp.json."""
 
-    out: Path | None = None
+    out: Given[Path] = None
     """The page to write, for a single file; by default NAME.report.html in the current folder."""
 
-    validation: Path | None = None
+    validation: Given[Path] = None
     """The validation file, for a single file; by default NAME.validation.json beside it or in the current folder."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved, for a single file."""
 
     open: bool = False
@@ -54,23 +58,30 @@ def report_command(options: Options) -> ExitCode:
 
 def _report(file: Path, out: Path, given: Path | None, moved: Path | None) -> str:
     """Write one page; returns what to add to the message."""
-    import msgspec
-
     from planner.errors import GraspFileError
     from planner.grasps.grasp_file import read_grasp
     from planner.grasps.grasped_object import read_grasped_object
     from sim.report.report_page import write_report
-    from sim.validation.reader import read_validation_of
 
     grasp = read_grasp(file)
     if given and not grasp.found:
         raise GraspFileError(f"{file} holds no grasp (status {grasp.status}), so {given} is not about it")
     validation = given or (_validation_of(file) if grasp.found else None)
-    document = msgspec.to_builtins(read_validation_of(validation, grasp)) if validation else None
+    document = _document(validation, grasp) if validation else None
     write_report(out, read_grasped_object(grasp, moved), grasp, file.name, document)
     if not grasp.found:
         return f" (no grasp: {grasp.status})"
     return f" with {validation}" if validation else " (no validation found)"
+
+
+def _document(validation: Path, grasp: "Grasp") -> dict[str, Any]:
+    """The content of a validation file, which is of this grasp."""
+    import msgspec
+
+    from sim.validation.reader import read_validation_of  # here: a page without a measurement needs no simulator
+
+    content: dict[str, Any] = msgspec.to_builtins(read_validation_of(validation, grasp))
+    return content
 
 
 def _validation_of(file: Path) -> Path | None:

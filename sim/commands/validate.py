@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run, write_json
+from planner.terminal.command_line import ExitCode, Given, parse, run, write_json
 from planner.terminal.console import Console
 
 
@@ -29,11 +29,11 @@ class Options:
     file: tyro.conf.Positional[Path]
     """A *.grasp.json."""
 
-    out: Path | None = None
+    out: Given[Path] = None
     """The result to write; by default NAME.validation.json in the current folder (.squeeze.json and .bench.json in the
     other modes)."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved."""
 
     mode: Literal["active", "squeeze", "dexgraspbench", "graspdatagen"] = "active"
@@ -41,7 +41,7 @@ class Options:
     what a constant squeeze would need instead; "dexgraspbench" and "graspdatagen" apply these benches' own tugs and
     thresholds, with fingertips."""
 
-    squeeze: float | None = None
+    squeeze: Given[float] = None
     """Force with which the fingertips squeeze in the two benches [N]; rho by default."""
 
     strict: bool = False

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import tyro
 
-from planner.terminal.command_line import ExitCode, parse, run
+from planner.terminal.command_line import ExitCode, Given, parse, run
 from planner.terminal.console import Console
 from planner.terminal.interruption import signals_as_exceptions
 
@@ -29,7 +29,7 @@ class Options:
     trial: bool = False
     """Begin with the trial."""
 
-    port: int | None = None
+    port: Given[int] = None
     """Port of the page; by default 8080, or any free one where that is taken."""
 
     host: str = "127.0.0.1"
@@ -39,7 +39,7 @@ class Options:
     open: bool = True
     """Open a browser, where there is a screen."""
 
-    object: Path | None = None
+    object: Given[Path] = None
     """Where the object's file is now, if it has moved, for a single file."""
 
     quiet: Annotated[bool, tyro.conf.arg(aliases=["-q"])] = False

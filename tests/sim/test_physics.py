@@ -60,6 +60,7 @@ def test_three_fingers_around_a_cylinder_resist_a_moment_about_its_axis_with_fri
     assert ((critical.ratios > 0.995) & (critical.ratios < 1.005)).all(), critical.ratios
 
 
+@pytest.mark.slow
 def test_a_turned_and_moved_grasp_has_the_same_measured_caps() -> None:
     still = few(prism())
     moved = few(prism(rotation=Rotation.from_rotvec([0.4, -1.1, 2.0]).as_matrix(), offset=np.array([0.3, -0.2, 0.1])))
@@ -67,6 +68,7 @@ def test_a_turned_and_moved_grasp_has_the_same_measured_caps() -> None:
     np.testing.assert_allclose(measured(moved, phi).ratios, measured(still, phi).ratios, atol=0.0013)
 
 
+@pytest.mark.slow
 def test_a_mirrored_grasp_has_the_mirrored_measurement() -> None:
     """Mirrored at x = y, the prism is itself and every axial moment changes sign."""
     swap = np.array([(0.0, 1, 0), (1, 0, 0), (0, 0, 1)])
@@ -80,6 +82,7 @@ def test_a_mirrored_grasp_has_the_mirrored_measurement() -> None:
     np.testing.assert_allclose(measured(there, phi).ratios, measured(here, phi).ratios, atol=0.0013)
 
 
+@pytest.mark.slow
 def test_half_the_time_step_changes_no_measured_cap_by_three_permille() -> None:
     grasp = few(prism())
     phi = grasp.phi

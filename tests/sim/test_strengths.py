@@ -77,6 +77,7 @@ def test_a_weak_finger_in_another_place_is_refuted(prism: RigidObject, limited_g
     assert validation.verdict is Verdict.FAIL
 
 
+@pytest.mark.slow
 def test_the_measured_force_level_is_the_predicted(prism: RigidObject, limited_grasp: Grasp) -> None:
     grasp = few_wrenches(limited_grasp, 3)
     critical = measure_critical_force(LoadedGrasp.of(prism, grasp))
@@ -116,6 +117,7 @@ def test_modes_with_one_force_for_all_fingers_refuse(prism: RigidObject, limited
         dexgraspbench(prism, contacts, limited_grasp.rho)
 
 
+@pytest.mark.slow
 def test_all_strengths_one_is_as_if_none_were_given(prism: RigidObject, golden_grasp: Grasp) -> None:
     grasp = few_wrenches(golden_grasp, 2)
     ones = replace(grasp, contacts=replace(grasp.contacts, strength=np.ones(3)))

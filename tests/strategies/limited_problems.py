@@ -2,6 +2,7 @@
 
 from collections import Counter
 from dataclasses import replace
+from functools import cache
 from itertools import combinations
 from math import dist
 
@@ -62,9 +63,10 @@ def opposite_problem(seed: int) -> SearchProblem:
     )
 
 
-def certified(problem: SearchProblem) -> tuple[Certificate, float]:
-    """The search's certificate and its bound."""
-    result = CertifiedSearch(gap=1e-4).run(problem)
+@cache
+def certified(seed: int) -> tuple[Certificate, float]:
+    """The certificate of a limited problem and its bound, searched once."""
+    result = CertifiedSearch(gap=1e-4).run(limited_problem(seed))
     return certificate_of(result), result.lower_bound
 
 

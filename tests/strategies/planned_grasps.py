@@ -1,6 +1,7 @@
 """Planned grasps for the tests: an object, contacts, wrenches and what the theory predicts for them."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import product
 
 import numpy as np
@@ -26,7 +27,7 @@ class Planned:
     reference_point: Floats
     wrenches: Floats
 
-    @property
+    @cached_property
     def phi(self) -> Floats:
         """Predicted cap of each wrench [N]."""
         solver = MinimaxForces(len(self.contacts), 3)

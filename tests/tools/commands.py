@@ -1,5 +1,6 @@
 """Run the project's commands as a user types them, in this process."""
 
+import math
 import re
 import subprocess
 import sys
@@ -28,8 +29,9 @@ MAINS: dict[str, Callable[[], None]] = {
 
 
 def run(command: str, *arguments: object) -> int:
-    """Run a console command; returns its exit code."""
+    """Run a console command, without the lines that a slow machine adds about its progress; returns its exit code."""
     with pytest.MonkeyPatch.context() as patch, pytest.raises(SystemExit) as left:
+        patch.setattr("planner.terminal.console.PATIENCE", math.inf)
         patch.setattr(sys, "argv", [command, *map(str, arguments)])
         MAINS[command]()
     return int(left.value.code or 0)

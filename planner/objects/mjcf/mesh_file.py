@@ -1,7 +1,6 @@
 """A mesh given in place of an object: which MJCF file to write around it."""
 
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
 from planner.errors import ObjectError
 
@@ -34,6 +33,8 @@ def _mjcf_around(path: Path) -> str:
             f"'{path}' is a mesh in a format that MuJoCo does not read; convert it to OBJ or STL, in metres, and give "
             "an MJCF file that uses it"
         )
+    from xml.sax.saxutils import quoteattr  # here: it brings urllib with all of the web's protocols
+
     name, file = quoteattr(path.stem), quoteattr(path.name)
     return (
         f"'{path}' is a mesh, which has no mass and no friction; write this as {path.stem}.xml beside it, with its "

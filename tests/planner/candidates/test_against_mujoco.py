@@ -10,6 +10,7 @@ from planner.objects.mjcf.reader import read_object
 from tests.strategies.mjcf_files import EVERY_SHAPE, SHARED_OBJECTS, shared_object, written
 from tests.strategies.overlapping_parts import OVERLAPPING
 from tests.tools.fingertip import Fingertip
+from tests.tools.lanes import first_fast
 
 
 def check(path: Path, count: int) -> None:
@@ -29,6 +30,6 @@ def test_every_kind_of_geom_agrees(tmp_path: Path, text: str) -> None:
     check(written(tmp_path, text), 300)
 
 
-@pytest.mark.parametrize("name", SHARED_OBJECTS)
+@pytest.mark.parametrize("name", first_fast(SHARED_OBJECTS, fast=2))
 def test_shared_objects_agree(name: str) -> None:
     check(shared_object(name), 60)

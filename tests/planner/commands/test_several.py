@@ -33,6 +33,7 @@ def test_each_file_holds_a_worse_grasp_that_verifies(tmp_path: Path, capsys: pyt
     assert [other["file"] for other in printed["others"]] == [str(numbered(out, 2)), str(numbered(out, 3))]
 
 
+@pytest.mark.slow
 def test_rho_with_a_friction_error_is_that_of_the_smallest_coefficient(tmp_path: Path) -> None:
     uncertain, least, most = (tmp_path / f"{name}.grasp.json" for name in ("uncertain", "least", "most"))
     assert plan_prism(uncertain, "--friction-error", "0.2") == 0

@@ -20,6 +20,7 @@ def test_the_pattern_knows_what_it_looks_for() -> None:
         assert not METRES_OR_RADIANS.search(right), right
 
 
+@pytest.mark.slow
 def test_no_command_prints_a_length_in_metres_or_an_angle_in_radians(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -50,6 +50,7 @@ def test_a_push_along_the_line_of_two_fingers_is_shared_by_both() -> None:
 
 @settings(max_examples=8, deadline=None)
 @given(seed=SEEDS, stiffness=st.floats(0.5, 2.0), count=st.sampled_from([1, 4, 16]))
+@pytest.mark.slow
 def test_springs_about_a_moving_body_written_out_give_the_same_need(seed: int, stiffness: float, count: int) -> None:
     contacts, reference_point, wrenches = grasp_and_wrenches(seed, count)
     need = squeeze_need(contacts, reference_point, wrenches)

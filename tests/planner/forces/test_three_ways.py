@@ -12,13 +12,14 @@ from planner.forces.problem import ForceProblem
 from planner.forces.reference import ReferenceForces
 from planner.forces.semidefinite import SemidefiniteForces
 from tests.strategies.force_problems import SHAPES, random_problem, soft_problem
+from tests.tools.lanes import first_fast
 
 TRIALS = 10
 BEYOND_ANY_GRASP = 1e5
 """A direction that proves this many times the wrench proves, to a solver's accuracy, that there are no forces."""
 
 
-@pytest.mark.parametrize(("fingers", "dimension"), SHAPES)
+@pytest.mark.parametrize(("fingers", "dimension"), first_fast(SHAPES, fast=5))
 @pytest.mark.parametrize("feasible", [True, False])
 def test_all_three_find_the_same_phi_or_prove_that_there_is_none(fingers: int, dimension: int, feasible: bool) -> None:
     """Every contact has its own friction; of the arbitrary wrenches two fingers balance few."""
@@ -44,7 +45,7 @@ def test_all_three_find_the_same_phi_or_prove_that_there_is_none(fingers: int, d
         assert unbalanced > 0  # the second half of the claim was tried
 
 
-@pytest.mark.parametrize(("fingers", "dimension"), SHAPES)
+@pytest.mark.parametrize(("fingers", "dimension"), first_fast(SHAPES, fast=5))
 def test_fingers_of_different_strength_are_capped_at_their_own_share(fingers: int, dimension: int) -> None:
     """All three agree; each force is at most s_i phi, one is as large; the direction proves it best."""
     rng = np.random.default_rng([fingers, dimension])

@@ -32,6 +32,7 @@ def test_a_grasp_keeps_to_the_limits_and_says_what_they_cost(
     assert run("grasp-verify", tmp_path / "mug.grasp.json") == 0
 
 
+@pytest.mark.slow
 def test_distances_and_the_fingers_own_limits_act(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     tables = '[[finger]]\ngeoms = ["wall*"]\n[[finger]]\nstrength = 0.5\ngeoms = ["handle*"]\n[[finger]]\n'
     assert plan_mug(tmp_path, "spacing = 0.03\nspan = 0.09\n" + tables) == 0

@@ -24,6 +24,7 @@ from planner.task import make_task
 from tests.strategies.parts import rigid_object, tilted_parts
 from tests.tools.capsule import Capsule
 from tests.tools.commands import ASSETS
+from tests.tools.lanes import first_fast
 
 PARTS = tilted_parts()
 BRACKET = ASSETS / "bracket" / "bracket.xml"
@@ -79,7 +80,7 @@ CASES: dict[str, tuple[Limits, Callable[[RigidObject, Candidates, int], bool]]] 
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", first_fast(CASES, fast=2))
 def test_planning_with_a_restriction_is_enumerating_what_it_allows(
     name: str, bracket: RigidObject, candidates: Candidates
 ) -> None:

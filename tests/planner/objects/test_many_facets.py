@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from planner.objects.parts.polyhedron import TIE, Polyhedron
 from planner.objects.vectors import norm
 from planner.pictures.sharp_edges import sharp_edges
 from tests.tools.commands import ROOT
+from tests.tools.lanes import first_fast
 
 RADIUS, MOST_BYTES, MOST_SECONDS = 0.03, 1e9, 60
 FAR = np.array([1.0, -2.0, 0.5])
@@ -33,6 +35,7 @@ print(len(ball.parts[0].polygons), len(candidates), 1024 * resource.getrusage(re
 """
 
 
+@pytest.mark.slow
 def test_a_ball_of_80_000_facets_is_read_and_gets_candidates_in_a_gigabyte(tmp_path: Path) -> None:
     command = [sys.executable, "-c", READ_AND_CHOOSE, str(ball(tmp_path, subdivisions=6))]
     output = subprocess.check_output(command, cwd=ROOT, text=True, timeout=MOST_SECONDS)
@@ -41,6 +44,7 @@ def test_a_ball_of_80_000_facets_is_read_and_gets_candidates_in_a_gigabyte(tmp_p
     assert peak < MOST_BYTES
 
 
+@pytest.mark.slow
 def test_a_fine_mesh_that_is_its_own_hull_looks_as_it_collides(tmp_path: Path) -> None:
     difference = visual_difference(read_object(ball(tmp_path, subdivisions=5)))
     assert difference is not None
@@ -58,7 +62,7 @@ def ball(folder: Path, subdivisions: int) -> Path:
     return path
 
 
-def lump(corners: int, half_lengths: tuple[float, float, float], at: Floats = FAR) -> Polyhedron:
+def lump(corners: int, half_lengths: Sequence[float], at: Floats = FAR) -> Polyhedron:
     """An ellipsoid of about twice as many facets as corners."""
     directions = np.random.default_rng(corners).normal(size=(corners, 3))
     vertices = directions / norm(directions)[:, None] * half_lengths + at
@@ -74,8 +78,10 @@ def near_and_far(part: Polyhedron) -> Floats:
     return np.concatenate([anywhere, part.bounds().mean(axis=0)[None], *on])
 
 
-@pytest.mark.parametrize("half_lengths", [(0.03, 0.03, 0.03), (0.03, 0.02, 0.1), (0.001, 0.03, 0.03), (1e-3,) * 3])
-def test_the_nearest_of_many_facets_is_the_one_that_all_would_name(half_lengths: tuple[float, float, float]) -> None:
+@pytest.mark.parametrize(
+    "half_lengths", first_fast([[0.03, 0.03, 0.03], [0.03, 0.02, 0.1], [0.001, 0.03, 0.03], [1e-3, 1e-3, 1e-3]])
+)
+def test_the_nearest_of_many_facets_is_the_one_that_all_would_name(half_lengths: list[float]) -> None:
     part = lump(3000, half_lengths)
     assert len(part.offsets) > MOST_ASKED
     points = near_and_far(part)
@@ -102,6 +108,7 @@ def test_depth_in_many_facets_keeps_its_sign_and_never_exceeds_the_distance() ->
     assert (below > 0).any() and (below < 0).any()
 
 
+@pytest.mark.slow
 def test_feet_on_many_facets_are_where_all_facets_put_them(monkeypatch: pytest.MonkeyPatch) -> None:
     part = lump(3000, (0.03, 0.02, 0.05))
     triangles, facets = part.triangles()

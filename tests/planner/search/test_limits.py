@@ -76,6 +76,7 @@ def assert_best(problem: SearchProblem, best: float) -> bool:
     return True
 
 
+@pytest.mark.slow
 def test_spacing_and_span_are_kept_and_the_best_such_grasp_is_found() -> None:
     feasible, binding = 0, 0
     for seed in SEEDS:
@@ -94,6 +95,7 @@ def test_spacing_and_span_are_kept_and_the_best_such_grasp_is_found() -> None:
     assert binding >= 5
 
 
+@pytest.mark.slow
 def test_fingers_of_two_kinds_take_their_own_candidates_and_never_one_point() -> None:
     """Finger 1 anywhere, fingers 2 and 3 on the last two thirds and half as strong: against all assignments."""
     feasible = 0
@@ -135,6 +137,7 @@ def test_two_fingers_of_two_kinds_agree_with_all_pairs() -> None:
     assert best > 1.01 * CertifiedSearch(gap=GAP).run(free).rho  # the kinds matter
 
 
+@pytest.mark.slow
 def test_pairs_whose_moment_is_zero_but_for_rounding_are_not_pruned_and_every_bound_is_proven() -> None:
     for seed in range(60):
         problem = opposite_problem(seed)
@@ -146,6 +149,7 @@ def test_pairs_whose_moment_is_zero_but_for_rounding_are_not_pruned_and_every_bo
         )
 
 
+@pytest.mark.slow
 def test_with_position_error_rho_is_the_worst_of_all_shifts() -> None:
     feasible = 0
     for seed in FLAT:
@@ -195,6 +199,7 @@ def test_a_position_error_in_space_never_helps_and_its_cases_cover_every_shift()
         assert level <= shifted.rho * (1 + 1e-6)
 
 
+@pytest.mark.slow
 def test_grasps_apart_are_each_the_best_unlike_those_before() -> None:
     several = 0
     for seed in SEEDS[:10]:

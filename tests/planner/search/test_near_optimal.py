@@ -43,6 +43,7 @@ def test_all_grasps_within_a_tolerance_are_found_and_no_others() -> None:
     assert several > 3
 
 
+@pytest.mark.slow
 def test_the_k_best_are_the_k_best() -> None:
     for seed in SEEDS:
         problem = random_problem(seed)
@@ -73,6 +74,7 @@ def test_the_papers_optimum_is_unique_but_for_its_mirror_image(golden_grasp: Gra
     )
 
 
+@pytest.mark.slow
 def test_the_tie_break_prefers_the_smaller_criterion(golden_grasp: Grasp) -> None:
     problem = golden_problem(golden_grasp)
     grasps = CertifiedSearch(keep=6).run(problem).grasps
@@ -99,6 +101,7 @@ def test_coarse_to_fine_is_honest_and_certifies_when_asked(golden_grasp: Grasp) 
     assert certified.rho == pytest.approx(golden_grasp.rho, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_coarse_to_fine_looks_harder_when_the_coarse_candidates_hold_no_grasp() -> None:
     for seed in SEEDS:
         problem = random_problem(seed)

@@ -12,9 +12,10 @@ from planner.search.paper import PaperSearch, all_subsets
 from planner.search.problem import SearchProblem
 from planner.search.result import Status
 from tests.strategies.search_problems import random_problem
+from tests.tools.lanes import first_fast
 
 
-@pytest.mark.parametrize("bound", ["relaxation", "subproblem 2"])
+@pytest.mark.parametrize("bound", first_fast(["relaxation", "subproblem 2"]))
 def test_both_bounds_agree_with_enumeration(bound: Bound) -> None:
     feasible = 0
     for seed in range(300, 340):
@@ -46,6 +47,7 @@ def test_a_list_too_long_for_memory_is_refused() -> None:
         PaperSearch().run(huge)
 
 
+@pytest.mark.slow
 def test_all_searches_agree_with_enumeration_on_a_reduced_case_3(golden_grasp: Grasp) -> None:
     kept = np.union1d(np.arange(0, 217, 11), golden_grasp.chosen)
     problem = SearchProblem(

@@ -18,6 +18,7 @@ from planner.search.result import Status
 from planner.task import make_task
 from tests.strategies.planar_objects import RECTANGLE, planar_object
 from tests.tools.commands import ASSETS
+from tests.tools.lanes import first_fast
 
 GAP = 1e-4
 
@@ -33,9 +34,10 @@ def problem(name: str, candidates: int, fingers: int, friction: float) -> Search
     )
 
 
-@pytest.mark.parametrize("friction", [0.1, 0.3, 0.5])
+@pytest.mark.parametrize("friction", first_fast([0.3, 0.1, 0.5]))
 @pytest.mark.parametrize(
-    ("name", "candidates", "fingers"), [("convex", 56, 2), ("concave", 86, 2), ("convex", 16, 3), ("concave", 20, 3)]
+    ("name", "candidates", "fingers"),
+    first_fast([("convex", 56, 2), ("convex", 16, 3), ("concave", 86, 2), ("concave", 20, 3)], fast=2),
 )
 def test_all_searches_agree(name: str, candidates: int, fingers: int, friction: float) -> None:
     """Three fingers on fewer candidates than two, because enumeration visits every combination."""

@@ -77,6 +77,7 @@ def test_the_picture_has_its_size_and_says_how_it_ended(picture: Picture) -> Non
     assert like(early, HELD).sum() == like(early, SLIPPED, 0.02).sum() == 0
 
 
+@pytest.mark.slow
 def test_a_gif_has_every_picture_and_stays_on_the_last(picture: Picture) -> None:
     told: list[tuple[int, int]] = []
     frames = Frames(picture=picture, steps=[0, 300, LAST], rate=10, observe=lambda *count: told.append(count))
@@ -95,6 +96,7 @@ def test_a_gif_has_every_picture_and_stays_on_the_last(picture: Picture) -> None
     assert told == [(1, 3), (2, 3), (3, 3)]
 
 
+@pytest.mark.slow
 def test_an_mp4_has_every_picture_and_stays_on_the_last(picture: Picture, tmp_path: Path) -> None:
     ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="MP4 needs imageio-ffmpeg")
     file = tmp_path / "film.mp4"

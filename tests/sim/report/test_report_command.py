@@ -9,6 +9,7 @@ from tests.tools.browser import visit
 from tests.tools.commands import PRISM, run, says
 
 
+@pytest.mark.slow
 def test_the_command_shows_the_measurement_beside_the_grasp(
     golden_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -26,6 +27,7 @@ def test_the_command_shows_the_measurement_beside_the_grasp(
     assert page.dom.count('<td class="ok">as predicted') == 4
 
 
+@pytest.mark.slow
 def test_a_validation_of_another_grasp_is_refused(
     golden_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

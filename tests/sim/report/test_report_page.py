@@ -68,12 +68,14 @@ def test_the_page_names_no_address(prism: RigidObject, golden_grasp: Grasp) -> N
     assert "default-src 'none'" in page
 
 
+@pytest.mark.slow
 def test_an_open_bound_is_shown_as_open(prism: RigidObject, golden_grasp: Grasp, tmp_path: Path) -> None:
     page = tmp_path / "open.html"
     write_report(page, prism, replace(golden_grasp, lower_bound=0.0, status=Status.TIME_LIMIT), "x.grasp.json")
     assert says(visit(page, profile=tmp_path / "profile").dom, "nothing is proven yet .time limit.")
 
 
+@pytest.mark.slow
 def test_strengths_are_shown_where_they_differ(
     prism: RigidObject, golden_grasp: Grasp, limited_grasp: Grasp, tmp_path: Path
 ) -> None:
@@ -164,6 +166,7 @@ tell(JSON.stringify({ first, names, second: dots(), otherNames: texts(), open: l
 """
 
 
+@pytest.mark.slow
 def test_the_gap_curve_is_drawn_to_scale_and_a_long_log_is_folded(
     prism: RigidObject, golden_grasp: Grasp, tmp_path: Path
 ) -> None:
@@ -212,6 +215,7 @@ def seen_without_grasp(rigid_object: RigidObject, grasp: Grasp, folder: Path) ->
     return seen
 
 
+@pytest.mark.slow
 def test_a_task_proven_impossible_is_shown_with_its_proof_and_the_load_nothing_balances(
     prism: RigidObject, tmp_path: Path
 ) -> None:
@@ -226,6 +230,7 @@ def test_a_task_proven_impossible_is_shown_with_its_proof_and_the_load_nothing_b
     assert says(seen["words"], f"One direction proves it.*wrench {wrench} of the task.*choice not recorded")
 
 
+@pytest.mark.slow
 def test_a_search_stopped_before_its_first_grasp_says_what_is_open(prism: RigidObject, tmp_path: Path) -> None:
     candidates = make_candidates(prism, "case3", 0.3, seed=0)
     grasp = plan(GraspProblem(prism, make_task("paper", prism), candidates, 3), CertifiedSearch(time_limit=0))

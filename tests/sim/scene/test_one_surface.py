@@ -19,6 +19,7 @@ from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.protocol import ACTIVE
 from tests.strategies.assemblies import KINDS, random_assembly
 from tests.tools.commands import run
+from tests.tools.lanes import first_fast
 
 ASSEMBLIES = 20
 """Of each kind."""
@@ -48,7 +49,7 @@ def simulated(thing: RigidObject, contacts: Contacts) -> StaticCheck:
     return set_up(grasp, ACTIVE).static
 
 
-@pytest.mark.parametrize("kind", range(len(KINDS)), ids=[kind.__name__.strip("_") for kind in KINDS])
+@pytest.mark.parametrize("kind", first_fast(range(len(KINDS))), ids=[kind.__name__.strip("_") for kind in KINDS])
 def test_whatever_the_planner_confirms_the_simulator_accepts(kind: int, tmp_path: Path) -> None:
     confirmed = 0
     for round_ in range(ASSEMBLIES):
@@ -69,6 +70,7 @@ def candidates_of(path: Path) -> tuple[RigidObject, Candidates]:
     return thing, confirmed_candidates(thing, make_candidates(thing, "100")).candidates
 
 
+@pytest.mark.slow
 def test_twins_are_planned_on_and_held_as_one_geom(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     alone, twins = written(tmp_path, ONE), written(tmp_path, ONE, TWIN.format(friction=0.5))
     (_, once), (_, twice) = candidates_of(alone), candidates_of(twins)

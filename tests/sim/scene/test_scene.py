@@ -16,6 +16,7 @@ from sim.scene.scene import Scene, build_scene
 from sim.scene.units import Units, units_of
 from sim.trial.experiment import floating_object
 from sim.trial.protocol import ACTIVE
+from tests.tools.lanes import first_fast
 from tests.tools.movable_geom import body_id
 
 ASSETS = Path(__file__).resolve().parents[3] / "assets"
@@ -35,7 +36,7 @@ DRILL = SHARED / "ycb_power_drill" / "power_drill.xml"
 RAYS = 400
 
 
-@pytest.mark.parametrize("name", OBJECTS)
+@pytest.mark.parametrize("name", first_fast(OBJECTS, fast=2))
 def test_rays_meet_the_composed_scene_where_they_meet_the_original_model(name: str) -> None:
     if not OBJECTS[name].is_file():
         pytest.skip(f"{OBJECTS[name].name} is one of the shared objects, which are not here")

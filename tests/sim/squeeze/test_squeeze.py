@@ -40,6 +40,7 @@ def test_the_papers_case_iii_needs_the_predicted_squeeze_within_one_percent() ->
     assert squeeze.upper - squeeze.lower < 0.004 * squeeze.predicted.squeeze_force
 
 
+@pytest.mark.slow
 def test_four_fingers_on_the_mug_need_the_predicted_squeeze_within_one_percent() -> None:
     mug = read_object(ASSETS / "mug" / "mug.xml")
     task = make_task("gravity", mug)
@@ -60,6 +61,7 @@ def test_two_opposed_fingers_are_measured_to_need_weight_over_twice_the_friction
     assert squeeze.lower > 0.995 * pencil and squeeze.upper < 1.005 * pencil
 
 
+@pytest.mark.slow
 def test_five_percent_less_friction_needs_more_than_predicted() -> None:
     squeeze = squeezed(prism(), friction_error=0.95)
     assert not squeeze.confirmed

@@ -5,6 +5,7 @@ from functools import cache
 from itertools import product
 
 import numpy as np
+import pytest
 
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.prediction import predicted_caps
@@ -28,6 +29,7 @@ def beyond_of(rho_factor: float) -> Beyond:
     return measure_beyond(experiment_of(rho_factor))
 
 
+@pytest.mark.slow
 def test_wrenches_and_turning_loads_in_the_set_are_held_and_what_is_outside_is_not() -> None:
     beyond = beyond_of(1.0)
     assert beyond.interior.held.all() and beyond.boundary.held.all()

@@ -20,6 +20,7 @@ from sim.trial.protocol import STRICT
 from sim.validation.validation import Validation
 from sim.validation.verdict import Verdict
 from tests.strategies.planned_grasps import Planned, prism, with_friction
+from tests.tools.lanes import first_fast
 
 
 @cache
@@ -56,10 +57,12 @@ def test_a_rho_three_percent_high_is_not_trusted_because_the_control_holds() -> 
     assert "control 'cap' did not behave" in validation.reasons[0]
 
 
+@pytest.mark.slow
 def test_friction_five_percent_below_the_planned_is_noticed() -> None:
     assert not prism().validated(friction_error=0.95).verdict
 
 
+@pytest.mark.slow
 def test_friction_five_percent_above_the_planned_is_noticed() -> None:
     assert not prism().validated(friction_error=1.05).verdict
 
@@ -74,6 +77,7 @@ def test_a_planner_with_the_wrong_sign_of_moment_is_refuted(monkeypatch: pytest.
     assert not prism().validated().verdict
 
 
+@pytest.mark.slow
 def test_turning_and_moving_the_body_frame_changes_nothing() -> None:
     rotation = Rotation.from_rotvec([0.4, -1.1, 2.0]).as_matrix()
     moved = prism(rotation=rotation, offset=np.array([0.3, -0.2, 0.1])).validated()
@@ -84,6 +88,7 @@ def test_turning_and_moving_the_body_frame_changes_nothing() -> None:
     np.testing.assert_allclose(moved.controls[0].slips, still.controls[0].slips, rtol=0.1)
 
 
+@pytest.mark.slow
 def test_an_object_ten_times_as_large_slips_alike_and_reports_its_own_newtons() -> None:
     small, large = confirmed(), prism(scale=10.0).validated()
     assert large.grasp.rho == pytest.approx(100 * small.grasp.rho, rel=1e-6)
@@ -92,6 +97,7 @@ def test_an_object_ten_times_as_large_slips_alike_and_reports_its_own_newtons() 
     np.testing.assert_allclose(large.vertices.measured_forces, 100 * small.vertices.measured_forces, rtol=1e-3)
 
 
+@pytest.mark.slow
 def test_every_contact_may_have_its_own_friction() -> None:
     validation = with_friction(prism(), (0.25, 0.6, 0.4)).validated()
     assert validation.verdict, validation.reasons
@@ -107,8 +113,8 @@ SHAPES: dict[str, ConvexPart] = {
 }
 
 
-@pytest.mark.parametrize("fingers", [4, 6])
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("fingers", first_fast([4, 6]))
+@pytest.mark.parametrize("shape", first_fast(SHAPES))
 def test_every_kind_of_geom_is_measured_within_half_a_percent(shape: str, fingers: int) -> None:
     validation = around(SHAPES[shape], fingers).validated(protocol=STRICT)
     assert validation.verdict, validation.reasons

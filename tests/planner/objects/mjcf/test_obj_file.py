@@ -14,6 +14,7 @@ from planner.objects.mjcf.obj_file import read_obj
 from planner.objects.mjcf.reader import read_object
 from planner.objects.object_source import ObjectSource
 from tests.strategies.mjcf_files import world, written
+from tests.tools.lanes import first_fast
 
 CUP, HANDLE = (0.04, 0.04, 0.04), (0.03, 0.01, 0.02)
 
@@ -98,7 +99,7 @@ def test_mirrored_and_scaled_meshes_keep_all_faces_outward(tmp_path: Path) -> No
     assert volume == pytest.approx(2 * (np.prod(CUP) + np.prod(HANDLE)), rel=1e-6)
 
 
-@pytest.mark.parametrize("kind", WHOLE)
+@pytest.mark.parametrize("kind", first_fast(WHOLE, fast=4))
 def test_decomposing_keeps_every_object_of_the_file_exactly(tmp_path: Path, kind: str) -> None:
     source, parts = decompose(ObjectSource(file=mjcf(tmp_path, WHOLE[kind])), tmp_path)
     assert parts == (3 if kind == "three" else 2)

@@ -26,6 +26,7 @@ from tests.strategies.mjcf_files import (
     world,
     written,
 )
+from tests.tools.lanes import first_fast
 
 
 def compiled(path: Path) -> tuple[mujoco.MjModel, mujoco.MjData]:
@@ -74,7 +75,7 @@ def test_mass_properties_equal_those_of_the_simulated_free_body(tmp_path: Path) 
     np.testing.assert_allclose(inertia[3:, 3:], about_origin, rtol=1e-10, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", SHARED_OBJECTS)
+@pytest.mark.parametrize("name", first_fast(SHARED_OBJECTS, fast=2))
 def test_shared_objects_are_read_whole(name: str) -> None:
     path = shared_object(name)
     body, parts = SHARED_OBJECTS[name]
