@@ -206,6 +206,7 @@ def test_add_control_experiment(
             phi=numbers,
             caps=numbers,
             slips=numbers,
+            spins=numbers,
             held=np.array([behaves]),
             expected=yes,
             counted=yes,

@@ -26,6 +26,9 @@ class FinalState:
     contact_forces: Floats
     """Measured contact forces in contact frames, normal first, shape (simulations, contacts, 3) [N]."""
 
+    contact_torques: Floats
+    """Measured torques of the contacts about their normals, shape (simulations, contacts) [N m]."""
+
     @property
     def translations(self) -> Floats:
         """Displacement of the object, shape (simulations,) [m]."""
@@ -35,6 +38,19 @@ class FinalState:
     def rotations(self) -> Floats:
         """Rotation of the object, shape (simulations,) [rad]."""
         return angles(self.object_quaternions)
+
+    def spins(self, normals: Floats) -> Floats:
+        """How far each fingertip, which does not turn, spins on the object, shape (simulations, contacts) [rad].
+
+        The part of the object's rotation vector along each normal, which for small rotations is the turn about it.
+
+        Args:
+            normals: Of the contacts, shape (contacts, 3).
+        """
+        axes = self.object_quaternions[:, 1:]
+        lengths = np.linalg.norm(axes, axis=1, keepdims=True)
+        units = np.divide(axes, lengths, out=np.zeros_like(axes), where=lengths > 0)
+        return np.abs(self.rotations[:, None] * (units @ normals.T))
 
 
 def angles(quaternions: Floats) -> Floats:

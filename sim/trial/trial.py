@@ -11,7 +11,7 @@ from mujoco import batch
 
 from planner.arrays import Floats, Mask
 from planner.errors import SimulationError
-from sim.scene.fingertips import SENSOR_WIDTH
+from sim.scene.fingertips import FORCE, FOUND, SENSOR_WIDTH, TORQUE
 from sim.scene.scene import Scene
 from sim.trial.final_state import FinalState
 from sim.trial.force_law import FingerLaw
@@ -44,6 +44,9 @@ class Trial:
 
     forces: Floats
     """Feed-forward forces under the full wrench, shape (simulations, contacts, 3) [N]."""
+
+    torques: Floats
+    """About the normals, that balance takes beside them, shape (simulations, contacts) [N m]; zero at hard fingers."""
 
     def at(self, squeeze: float, load: float) -> tuple[Floats, Floats]:
         """Wrenches and feed-forward forces at a squeeze s and a load fraction a; see sim/trial/schedule.py."""
@@ -101,8 +104,9 @@ def step_through(
             object_positions=object_positions,
             object_quaternions=object_quaternions,
             tip_displacements=displacements.copy(),
-            touching=sensors[:, :, 0] > 0,
-            contact_forces=sensors[:, :, 1:].copy(),
+            touching=sensors[:, :, FOUND] > 0,
+            contact_forces=sensors[:, :, FORCE].copy(),
+            contact_torques=sensors[:, :, TORQUE].copy(),
         )
 
     finger_caps = caps[:, None] * scene.contacts.strengths

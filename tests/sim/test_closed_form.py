@@ -39,6 +39,7 @@ def squeezed_box(weights: Floats, friction: Floats, protocol: ValidationProtocol
         preloads=press,
         preload_wrenches=np.zeros_like(down),
         forces=press + lift,
+        torques=np.zeros((len(weights), 2)),
     )
     return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
 
