@@ -70,5 +70,20 @@ class ContactModel(ABC):
         """
 
     @abstractmethod
+    def utilisation(self, forces: Floats, torques: Floats, contacts: Contacts) -> Floats:
+        """The smallest mu whose cone holds each force and torque, all friction of the contact in proportion.
+
+        Its ratio to the contact's own mu is the share of friction that they take: above 1 outside the cone.
+
+        Args:
+            forces: In the body frame, shape (..., m, d) [N].
+            torques: About the inward normals, shape (..., m) [N m].
+            contacts: Where they act.
+
+        Returns:
+            Shape (..., m); infinite where a force pulls, zero where it vanishes.
+        """
+
+    @abstractmethod
     def pair_friction(self, friction: float, torsion: float) -> tuple[float, float, float, float, float]:
         """The friction of MuJoCo's contact pair: sliding twice, torsion [m], rolling twice."""

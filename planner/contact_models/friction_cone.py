@@ -54,8 +54,17 @@ def utilisation(forces: Floats, normals: Floats) -> Floats:
     Returns:
         Shape (...); infinite where a force pulls, zero where it vanishes.
     """
-    normal, tangential = components(forces, normals)
-    ratio = np.full_like(normal, np.inf)
-    np.divide(tangential, normal, out=ratio, where=normal > 0)
-    ratio[(tangential == 0) & (normal >= 0)] = 0.0
+    return slope(*components(forces, normals))
+
+
+def slope(along: Floats, across: Floats) -> Floats:
+    """|f_t| / f_n, infinite where a force pulls, zero where it vanishes, shape (...).
+
+    Args:
+        along: f_n, shape (...) [N].
+        across: |f_t|, shape (...) [N].
+    """
+    ratio = np.full_like(along, np.inf)
+    np.divide(across, along, out=ratio, where=along > 0)
+    ratio[(across == 0) & (along >= 0)] = 0.0
     return ratio

@@ -67,6 +67,10 @@ class HardFinger(ContactModel):
         along, across = friction_cone.components(forces, contacts.normals)
         return np.maximum(across - contacts.friction * along, -along)
 
+    def utilisation(self, forces: Floats, torques: Floats, contacts: Contacts) -> Floats:
+        """|f_t| / f_n, shape (..., m); there are no torques."""
+        return friction_cone.utilisation(forces, contacts.normals)
+
     def pair_friction(self, friction: float, torsion: float) -> tuple[float, float, float, float, float]:
         """Sliding alone."""
         return friction, friction, 0.0, 0.0, 0.0

@@ -146,6 +146,11 @@ class SoftFinger(ContactModel):
         along, across = friction_cone.components(forces, contacts.normals)
         return np.maximum(np.hypot(across, rubbing(torques, contacts)) - contacts.friction * along, -along)
 
+    def utilisation(self, forces: Floats, torques: Floats, contacts: Contacts) -> Floats:
+        """|(f_t, tau mu / gamma)| / f_n, shape (..., m); infinite for a torque where gamma is 0."""
+        along, across = friction_cone.components(forces, contacts.normals)
+        return friction_cone.slope(along, np.hypot(across, rubbing(torques, contacts)))
+
     def pair_friction(self, friction: float, torsion: float) -> tuple[float, float, float, float, float]:
         """Sliding and torsion."""
         return friction, friction, torsion, 0.0, 0.0
