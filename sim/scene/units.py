@@ -38,8 +38,9 @@ class Units:
         return wrenches * self.force * np.repeat([1.0, self.length], 3)
 
     def contacts(self, contacts: Contacts) -> Contacts:
-        """Map contact points; normals, friction and strengths have no unit."""
-        return replace(contacts, points=self.points(contacts.points))
+        """Map contact points and torsional friction, a length; normals, friction and strengths have no unit."""
+        torsion = None if contacts.torsion is None else contacts.torsion * self.length
+        return replace(contacts, points=self.points(contacts.points), torsion=torsion)
 
 
 def units_of(contacts: Contacts, reference_point: np.ndarray, rho: float, reach: float) -> Units:
