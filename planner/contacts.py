@@ -5,7 +5,7 @@ point p_o, in the axes of B. The plane is the case d = 2, D = 3 of the same form
 Source: Watanabe and Yoshikawa, eq. (1)-(3).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,6 +103,18 @@ class Contacts:
         Shape (contacts,) [m]; 0 for a hard finger. See `planner.contact_models.soft_finger`.
         """
         return np.zeros(len(self)) if self.torsion is None else self.torsion
+
+    def with_friction(self, friction: Floats) -> "Contacts":
+        """The same patches on another pair of materials: gamma_i / mu_i, a length of the patch, stays.
+
+        Args:
+            friction: Coulomb coefficients, shape (contacts,).
+
+        Raises:
+            ContactError: When the friction is not one positive number per contact.
+        """
+        changed = replace(self, friction=friction)
+        return changed if self.torsion is None else replace(changed, torsion=self.torsion / self.friction * friction)
 
     def subset(self, indices: Indices) -> "Contacts":
         """The contacts at `indices`, shape (m,), in that order."""

@@ -205,6 +205,7 @@ def test_add_control_experiment(
             phi=numbers,
             caps=numbers,
             slips=numbers,
+            spins=numbers,
             held=np.array([behaves]),
             expected=yes,
             counted=yes,

@@ -81,7 +81,7 @@ def run_bench(rigid_object: RigidObject, contacts: Contacts, squeeze: float, set
             "validate this grasp with fingers that adapt (--mode active)"
         )
     scene = build_world(rigid_object, contacts, settings)
-    preload = FeedForward(scene.contacts, rigid_object.center_of_mass).internal_force(squeeze)
+    preload = FeedForward(scene.contacts, rigid_object.center_of_mass).squeeze(squeeze).forces
     translations, rotations, touching = _simulate(scene, preload, settings)
     reasons = _objections(translations, rotations, touching, settings)
     return BenchOutcome(

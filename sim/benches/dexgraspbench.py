@@ -20,7 +20,6 @@ DEXGRASPBENCH = BenchSettings(
     object_mass=0.1,
     friction=0.6,
     torsional_friction=0.02,
-    condim=4,
     solref=(0.0125, 1.0),  # MuJoCo mixes half and half: the hand's 0.005 and its default 0.02 of the object
     solimp=(0.7, 0.97, 5.5e-4, 0.5, 2.0),  # likewise 0.5 0.99 1e-4 and 0.9 0.95 1e-3
     impratio=10.0,

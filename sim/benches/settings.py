@@ -22,10 +22,7 @@ class BenchSettings(Physics, FingerLaw):
     """The protocol's own sliding friction, whatever was planned."""
 
     torsional_friction: float = 0.0
-    """Resistance to turning about the contact normal, used when condim is 4 [m]."""
-
-    condim: int = 3
-    """3: sliding friction. 4: torsional friction too."""
+    """The protocol's own resistance to turning about the contact normal, whatever was planned [m]."""
 
     # Fingers: the emulation's own
     stiffness: float = 1000.0

@@ -27,7 +27,7 @@ def build_world(rigid_object: RigidObject, contacts: Contacts, settings: BenchSe
 
     Args:
         rigid_object: What the fingers hold.
-        contacts: The grasp in the body frame; the friction is not used.
+        contacts: The grasp in the body frame; neither its friction nor its torsional friction is used.
         settings: The test.
 
     Raises:
@@ -45,14 +45,9 @@ def build_world(rigid_object: RigidObject, contacts: Contacts, settings: BenchSe
         center_of_mass=rigid_object.center_of_mass,
         inertia=rigid_object.inertia * (settings.object_mass / rigid_object.mass),
     )
-    tested = replace(contacts, friction=np.full(len(contacts), settings.friction))
-    tips = Fingertips(
-        contacts=tested,
-        radius=0.0,
-        mass=settings.tip_mass,
-        condim=settings.condim,
-        torsion=settings.torsional_friction,
-    )
+    friction, torsion = np.repeat([[settings.friction], [settings.torsional_friction]], len(contacts), axis=1)
+    tested = replace(contacts, friction=friction, torsion=torsion)
+    tips = Fingertips(contacts=tested, radius=0.0, mass=settings.tip_mass)
     radii = [radius * reach for radius in settings.tip_radii]
     scene, static = placed_scene(held, tips, settings, radii, rigid_object.size)
     if static.reasons():

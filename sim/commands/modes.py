@@ -21,7 +21,7 @@ from sim.commands.validation_report import validation_lines, validation_summary
 from sim.squeeze.document import write_squeeze
 from sim.squeeze.squeeze import SqueezeForce, measure_squeeze_force
 from sim.trial.loaded_grasp import LoadedGrasp
-from sim.trial.protocol import ACTIVE, STRICT
+from sim.trial.protocol import active_protocol
 from sim.validation.document import write_validation
 from sim.validation.validation import validate
 
@@ -49,7 +49,7 @@ def active(rigid_object: RigidObject, grasp: Grasp, options: "Options", observe:
     validation = validate(
         rigid_object,
         grasp,
-        STRICT if options.strict else ACTIVE,
+        active_protocol(grasp.contacts, strict=options.strict),
         measure=options.measure or options.thorough,
         thorough=options.thorough,
         observe=observe,

@@ -23,6 +23,7 @@ def validation_lines(validation: Validation) -> list[str]:
         lines.append(f"R0          {WHAT_R0_IS}; slips are relative to it")
     if validation.vertices is not None and validation.forces is not None:
         lines.append(_held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance))
+        lines += _spun(validation.vertices, protocol.spin_tolerance)
         lines += _forces(validation.forces)
         lines += _limited(validation.limited, validation.vertices.held, protocol.friction_margin)
     lines += [f"control     {control.change}: {control.outcome()}" for control in validation.controls]
@@ -47,6 +48,7 @@ def validation_summary(validation: Validation) -> dict[str, Any]:
         "held": int(vertices.held.sum()) if vertices else None,
         "friction_limited": np.flatnonzero(validation.limited).tolist(),
         "largest_slip": float(vertices.slip.max()) if vertices else None,
+        "largest_spin": float(vertices.spin.max()) if vertices else None,
         "controls_behaved": all(control.behaved for control in validation.controls),
         "measured_lower": lower,
         "measured_upper": upper,
@@ -60,6 +62,13 @@ def _held(vertices: Measurement, factor: float, tolerance: float) -> str:
         f"hold        cap {factor:g} rho = {vertices.caps[0]:.5g} N: {vertices.held.sum()} of {len(vertices.held)} "
         f"wrenches held; largest slip {vertices.slip[worst]:.2g} R0 (wrench {worst}; a hold is under {tolerance:g})"
     )
+
+
+def _spun(vertices: Measurement, tolerance: float) -> list[str]:
+    worst = int(np.argmax(vertices.spin))
+    if not vertices.spin[worst]:
+        return []
+    return [f"spin        at most {vertices.spin[worst]:.2g} rad (wrench {worst}; a hold is under {tolerance:g})"]
 
 
 def _forces(forces: ForceAgreement) -> tuple[str, str]:

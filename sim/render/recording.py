@@ -14,11 +14,12 @@ import numpy as np
 from planner.errors import SettingError, SimulationError
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
+from sim.scene.fingertips import FORCE, FOUND, TORQUE
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.final_state import FinalState
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
-from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.protocol import ValidationProtocol
 from sim.trial.schedule import fractions
 from sim.trial.trial import Trial, run
 
@@ -99,8 +100,9 @@ class Recording:
             object_positions=positions,
             object_quaternions=quaternions,
             tip_displacements=coordinates[:, scene.joints.positions :].reshape(self.steps, -1, 3),
-            touching=readings[:, :, 0] > 0,
-            contact_forces=readings[:, :, 1:],
+            touching=readings[:, :, FOUND] > 0,
+            contact_forces=readings[:, :, FORCE],
+            contact_torques=readings[:, :, TORQUE],
         )
         repeated = Trial(
             **{name: np.repeat(rows[[simulation]], self.steps, 0) for name, rows in vars(self.trial).items()}
@@ -121,12 +123,12 @@ class Recording:
         forces = np.zeros((len(scene.tip_geoms), 3))
         for finger, tip in enumerate(scene.tip_geoms):
             contacts = [contact for contact in data.contact if tip in (contact.geom1, contact.geom2)]
-            if contacts and self.readings[step, simulation, finger, 0] > 0:
+            if contacts and self.readings[step, simulation, finger, FOUND] > 0:
                 deepest = min(contacts, key=lambda contact: contact.dist)
                 frame = deepest.frame.reshape(3, 3)
                 if deepest.geom1 != tip:
                     frame = frame * FROM_TIP
-                forces[finger] = self.readings[step, simulation, finger, 1:] @ frame
+                forces[finger] = self.readings[step, simulation, finger, FORCE] @ frame
         return forces
 
     @cached_property
@@ -151,7 +153,7 @@ def outcome(held: bool, slip: float, protocol: ValidationProtocol) -> str:
 
 
 def record(
-    rigid_object: RigidObject, grasp: Grasp, wrench: int | None = None, protocol: ValidationProtocol = ACTIVE
+    rigid_object: RigidObject, grasp: Grasp, wrench: int | None = None, protocol: ValidationProtocol | None = None
 ) -> Recording:
     """Run one wrench with the cap just above and just below what it needs.
 
@@ -159,7 +161,7 @@ def record(
         rigid_object: What the fingers hold, in space.
         grasp: Its grasp, in space.
         wrench: Which wrench; by default the critical one, which needs rho.
-        protocol: Settings.
+        protocol: Settings; by default those for such contacts, `active_protocol`.
 
     Raises:
         SettingError: When there is no such wrench, or it needs no force.
@@ -176,6 +178,7 @@ def record(
     experiment = set_up(LoadedGrasp.of(rigid_object, grasp), protocol)
     if reasons := experiment.static.reasons():
         raise SimulationError("; ".join(reasons))
+    protocol = experiment.protocol
     caps = np.array([protocol.hold_factor, protocol.control_factor]) * need / grasp.rho
     trial = experiment.active(np.repeat(grasp.task.wrenches[[shown]], len(caps), axis=0), caps)
     coordinates, readings = [np.tile(experiment.scene.model.qpos0, (len(caps), 1))], []

@@ -9,7 +9,7 @@ import numpy as np
 from planner.contacts import Contacts
 from planner.errors import SimulationError
 from sim.scene.dm_control_mjcf import mjcf
-from sim.scene.fingertips import Fingertips, tip_name
+from sim.scene.fingertips import Fingertips, pair_friction, tip_name
 from sim.scene.floating_object import OBJECT, FloatingObject, part_name
 from sim.scene.object_joints import ObjectJoints
 from sim.scene.physics import Physics
@@ -25,7 +25,7 @@ class Scene:
     model: mujoco.MjModel
 
     contacts: Contacts
-    """Contacts where the fingertips were placed; friction is the simulated one."""
+    """Contacts where the fingertips were placed; friction and torsional friction are the simulated ones."""
 
     object_body: int
     """Body id of the object."""
@@ -74,14 +74,18 @@ def build_scene(held: FloatingObject, fingertips: Fingertips, physics: Physics) 
     )
 
 
-def with_friction(scene: Scene, friction: np.ndarray) -> Scene:
-    """The same scene with other friction coefficients, shape (contacts,).
+def with_friction(scene: Scene, contacts: Contacts) -> Scene:
+    """The same scene with other friction and torsional friction.
+
+    Args:
+        scene: Stays as it is.
+        contacts: Those of the scene, in its units, but for friction and torsion.
 
     Raises:
-        ContactError: When the friction is not one positive number per contact.
+        SimulationError: When a torsional friction is too small for MuJoCo.
     """
-    contacts = replace(scene.contacts, friction=friction)
     model = copy(scene.model)
     fingers = (model.pair_geom1[:, None] == scene.tip_geoms) | (model.pair_geom2[:, None] == scene.tip_geoms)
-    model.pair_friction[:, :2] = friction[fingers.argmax(axis=1), None]
+    condim, friction = pair_friction(contacts)
+    model.pair_dim[:], model.pair_friction[:] = condim[fingers.argmax(axis=1)], friction[fingers.argmax(axis=1)]
     return replace(scene, model=model, contacts=contacts)

@@ -1,8 +1,9 @@
 """Units of the experiment: the same numbers for a die and for a car.
 
 With R0 the largest distance of a contact from the reference point p_o, L the reach and rho the predicted
-force, positions map to (p - p_o) L / R0, forces to f / rho and moments to m L / (R0 rho). Statics do not
-change under this map; the gains, masses and tolerances of the protocol can then be constants.
+force, positions map to (p - p_o) L / R0, torsional friction to gamma L / R0, forces to f / rho and moments to
+m L / (R0 rho). Statics do not change under this map; the gains, masses and tolerances of the protocol can then be
+constants.
 """
 
 from dataclasses import dataclass, replace

@@ -157,7 +157,12 @@ def _slipped(
     uncapped = np.full(len(rows), np.inf)
     loads = units.wrenches(experiment.grasp.wrenches[rows])
     trial = Trial(
-        wrenches=loads, caps=uncapped, preloads=preload, preload_wrenches=np.zeros_like(loads), forces=preload
+        wrenches=loads,
+        caps=uncapped,
+        preloads=preload,
+        preload_wrenches=np.zeros_like(loads),
+        forces=preload,
+        torques=np.zeros(preload.shape[:2]),
     )
     final = run(experiment.scene, trial, protocol, each_step(observe, len(rows), steps(protocol)))
     outcome = measure(experiment.scene, trial, final, 1.0, protocol)

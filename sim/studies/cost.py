@@ -14,7 +14,6 @@ from planner.objects.rigid_object import RigidObject
 from sim.trial.experiment import set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
-from sim.trial.protocol import ACTIVE, ValidationProtocol
 from sim.validation.critical_force import bisect_caps
 
 RADIUS, FRICTION = 0.03, 0.6
@@ -43,23 +42,22 @@ class Cost:
     """Measured over predicted rho; NaN if not measured."""
 
 
-def measure_cost(fingers: int, wrenches: int, *, bisect: bool, protocol: ValidationProtocol = ACTIVE) -> Cost:
+def measure_cost(fingers: int, wrenches: int, *, bisect: bool) -> Cost:
     """Time the stages on a ball held by evenly spread fingers against random wrenches.
 
     Args:
         fingers: Number of fingers, 3 or more.
         wrenches: Number of wrenches.
         bisect: Whether to measure every cap too.
-        protocol: Settings.
 
     Raises:
         SimulationError: When the experiment cannot be run.
     """
     grasp = _grasp(fingers, wrenches)
     began = perf_counter()
-    experiment = set_up(grasp, protocol)
+    experiment = set_up(grasp)
     built = perf_counter()
-    trial = experiment.active(grasp.wrenches, np.full(wrenches, protocol.hold_factor))
+    trial = experiment.active(grasp.wrenches, np.full(wrenches, experiment.protocol.hold_factor))
     answered = perf_counter()
     experiment.perform(trial)
     stepped = perf_counter()

@@ -16,7 +16,7 @@ from planner.forces.problem import ForceProblem
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
-from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.protocol import ValidationProtocol
 from sim.trial.trial import Trial
 from sim.validation.critical_force import CriticalForce, bisect_caps
 
@@ -121,14 +121,14 @@ INJECTED_FAULTS = (
 
 
 def measure_fault(
-    grasp: LoadedGrasp, fault: InjectedFault, protocol: ValidationProtocol = ACTIVE
+    grasp: LoadedGrasp, fault: InjectedFault, protocol: ValidationProtocol | None = None
 ) -> CriticalForce | None:
     """What MuJoCo measures against the wrong prediction.
 
     Args:
         grasp: A feasible grasp.
         fault: What is wrong.
-        protocol: Settings.
+        protocol: Settings; by default those for such contacts, `active_protocol`.
 
     Returns:
         Measured caps beside the wrong prediction; None where the wrong planner finds no grasp at all.

@@ -22,7 +22,7 @@ from planner.task import Task, make_task
 from sim.trial.experiment import set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.prediction import predicted_caps
-from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.protocol import ValidationProtocol
 
 CANDIDATES = "60"
 """Random grasps choose among so many evenly spread contacts."""
@@ -48,6 +48,9 @@ class Tally:
 
     worst_slip: float
     """Of these, over R0: the largest slip above phi, the smallest below it; between them lies the threshold."""
+
+    worst_spin: float
+    """Of these, the same of soft fingers [rad]; below phi it is small where they slip and do not spin."""
 
     limited: int
     """Tests of wrenches on the friction limit, which validations name: small loads beside the cap, so that what is left
@@ -118,7 +121,7 @@ def _drawn(
             wrenches=task.wrenches,
             phi=phi,
         )
-        if np.isfinite(phi).all() and not set_up(grasp, ACTIVE).static.reasons():
+        if np.isfinite(phi).all() and not set_up(grasp).static.reasons():
             return grasp
     raise SimulationError(
         f"no feasible grasp of {rigid_object.file.name} with {fingers} fingers among {MOST_DRAWS} random ones"
@@ -128,7 +131,7 @@ def _drawn(
 def tally(
     grasps: Sequence[LoadedGrasp],
     factors: Sequence[float],
-    protocol: ValidationProtocol = ACTIVE,
+    protocol: ValidationProtocol | None = None,
     observe: Done = lambda _: None,
 ) -> list[Tally]:
     """Count wrong outcomes of single-wrench tests, one entry per factor.
@@ -136,7 +139,7 @@ def tally(
     Args:
         grasps: What to test; every wrench of each.
         factors: Caps relative to the wrench's own phi.
-        protocol: Settings and thresholds.
+        protocol: Settings and thresholds; by default those for such contacts, `active_protocol`.
         observe: Called with the number of grasps done after each.
 
     Raises:
@@ -146,9 +149,7 @@ def tally(
     for done, outcome in enumerate(_outcomes(grasps, factors, protocol), start=1):
         outcomes.append(outcome)
         observe(done)
-    held = np.hstack([each[0] for each in outcomes])
-    slips = np.hstack([each[1] for each in outcomes])
-    limited = np.concatenate([grasp.friction_limited(protocol.friction_margin) for grasp in grasps])
+    held, slips, spins, limited = (np.hstack(each) for each in zip(*outcomes, strict=True))
     wrong = held != (np.array(factors) > 1)[:, None]
     return [
         Tally(
@@ -156,6 +157,7 @@ def tally(
             tests=int((~limited).sum()),
             wrong=int(wrong[row, ~limited].sum()),
             worst_slip=_worst(slips[row, ~limited], above=factor > 1),
+            worst_spin=_worst(spins[row, ~limited], above=factor > 1),
             limited=int(limited.sum()),
             limited_wrong=int(wrong[row, limited].sum()),
         )
@@ -164,16 +166,18 @@ def tally(
 
 
 def _worst(slips: np.ndarray, *, above: bool) -> float:
-    """The slip nearest to the threshold."""
+    """The slip, or the spin, nearest to the threshold."""
     return float(slips.max(initial=0.0) if above else slips.min(initial=np.inf))
 
 
 def _outcomes(
-    grasps: Sequence[LoadedGrasp], factors: Sequence[float], protocol: ValidationProtocol
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Held and slip of every wrench of each grasp, each of shape (factors, wrenches)."""
+    grasps: Sequence[LoadedGrasp], factors: Sequence[float], protocol: ValidationProtocol | None
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]:
+    """Of each grasp held, slip and spin of every wrench, each of shape (factors, wrenches), and which are limited."""
     for grasp in grasps:
         scaled = grasp.wrenches * (grasp.rho / grasp.phi)[:, None]
         shape = (len(factors), len(scaled))
-        outcome = set_up(grasp, protocol).measure(np.tile(scaled, (len(factors), 1)), np.repeat(factors, shape[1]))
-        yield outcome.held.reshape(shape), outcome.slip.reshape(shape)
+        experiment = set_up(grasp, protocol)
+        outcome = experiment.measure(np.tile(scaled, (len(factors), 1)), np.repeat(factors, shape[1]))
+        limited = grasp.friction_limited(experiment.protocol.friction_margin)
+        yield outcome.held.reshape(shape), outcome.slip.reshape(shape), outcome.spin.reshape(shape), limited

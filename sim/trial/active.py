@@ -18,7 +18,8 @@ def active_trial(
     where there is no wrench to answer they squeeze with an internal force.
 
     Args:
-        contacts: The grasp in the body frame, SI, with the planned friction, of which only the ratios count.
+        contacts: The grasp in the body frame, SI, with the planned friction, of which only ratios count; see
+            `FeedForward`.
         units: Map to the units of the experiment.
         wrenches: One per simulation, shape (simulations, 6) [N, N m].
         caps: One per simulation, relative to rho, shape (simulations,).
@@ -29,15 +30,15 @@ def active_trial(
     feed_forward = FeedForward(touching, np.zeros(3))
     press = protocol.preload * touching.strengths[:, None] * touching.normals
     held_against = -np.einsum("iDd,id->D", grasp_maps(touching.points, np.zeros(3)), press)
+    pushes = [
+        feed_forward.answer(load, cap) if load.any() else feed_forward.squeeze(protocol.preload * cap)
+        for load, cap in zip(loads, caps, strict=True)
+    ]
     return Trial(
         wrenches=loads,
         caps=caps,
         preloads=caps[:, None, None] * press,
         preload_wrenches=caps[:, None] * held_against,
-        forces=np.array(
-            [
-                feed_forward.forces(load, cap) if load.any() else feed_forward.internal_force(protocol.preload * cap)
-                for load, cap in zip(loads, caps, strict=True)
-            ]
-        ),
+        forces=np.array([push.forces for push in pushes]),
+        torques=np.array([push.torques for push in pushes]),
     )

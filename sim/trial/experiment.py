@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from planner.contact_models.models import model_of
+from planner.contacts import Contacts
 from planner.objects.rigid_object import ConvexPart
 from planner.progress import Done
 from sim.scene.fingertips import Fingertips
@@ -18,7 +18,7 @@ from sim.scene.units import Units, units_of
 from sim.trial.active import active_trial
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
-from sim.trial.protocol import ValidationProtocol
+from sim.trial.protocol import ValidationProtocol, active_protocol
 from sim.trial.schedule import steps
 from sim.trial.trial import Trial, run
 from sim.trial.workload import each_step
@@ -77,13 +77,16 @@ class Experiment:
         final = run(self.scene, trial, self.protocol, each_step(observe, len(trial.caps), steps(self.protocol)))
         return measure(self.scene, trial, final, 1 / self.units.force, self.protocol)
 
-    def with_friction(self, friction: np.ndarray) -> "Experiment":
-        """The same experiment with other friction in the simulator, shape (contacts,).
+    def with_friction(self, contacts: Contacts) -> "Experiment":
+        """The same experiment with other friction and torsional friction in the simulator; no finger is told.
+
+        Args:
+            contacts: The planned ones, body frame, SI, but for friction and torsion.
 
         Raises:
-            ContactError: When the friction is not one positive number per contact.
+            SimulationError: When a torsional friction is too small for MuJoCo.
         """
-        return replace(self, scene=with_friction(self.scene, friction))
+        return replace(self, scene=with_friction(self.scene, self.units.contacts(contacts)))
 
 
 def _after(before: int, observe: Done) -> Done:
@@ -93,7 +96,7 @@ def _after(before: int, observe: Done) -> Done:
 
 def set_up(
     grasp: LoadedGrasp,
-    protocol: ValidationProtocol,
+    protocol: ValidationProtocol | None = None,
     friction: np.ndarray | None = None,
     newton: float | None = None,
 ) -> Experiment:
@@ -104,8 +107,9 @@ def set_up(
 
     Args:
         grasp: What is measured.
-        protocol: Settings.
-        friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        protocol: Settings; by default those for such contacts, `active_protocol`.
+        friction: Friction in the simulator, shape (contacts,), with the torsional friction that goes with it; the
+            planned one if None.
         newton: The experiment's newton [N]; rho if None.
 
     Raises:
@@ -113,11 +117,12 @@ def set_up(
         ContactError: When the friction is not one positive number per contact.
     """
     rigid_object, contacts = grasp.rigid_object, grasp.contacts
+    protocol = protocol or active_protocol(contacts)
     force = grasp.rho if newton is None else newton
     units = units_of(contacts, grasp.reference_point, force, protocol.reach)
     held = floating_object(rigid_object.parts, units, protocol, joints_of(rigid_object))
-    touching = units.contacts(contacts if friction is None else replace(contacts, friction=np.asarray(friction, float)))
-    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass, condim=model_of(touching).condim)
+    touching = units.contacts(contacts if friction is None else contacts.with_friction(np.asarray(friction, float)))
+    tips = Fingertips(contacts=touching, radius=0.0, mass=protocol.tip_mass)
     radii = [radius * protocol.reach for radius in protocol.tip_radii]
     scene, static = placed_scene(held, tips, protocol, radii, rigid_object.size)
     return Experiment(grasp=grasp, units=units, scene=scene, protocol=protocol, static=static)

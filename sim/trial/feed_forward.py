@@ -3,14 +3,19 @@
     minimise k   subject to   sum_i G_i f_i = -w,   |t_i| <= k r_i n_i,   |f_i| <= s_i cap,
 
 with n_i, t_i the normal and tangential parts of f_i, r_i the friction of contact i relative to the largest and
-s_i the strength of finger i, usually 1. The level of friction does not enter, so in the experiment only the
-simulator decides whether the forces hold. Because phi(w, k r) falls as k grows (it is Subproblem 2 with friction
-k r), the least k is the root of phi(w, k r) = cap. The variables are f_i / s_i, as in `planner.forces.minimax`.
+s_i the strength of finger i, usually 1. Where a finger twists, its torque times mu_i / gamma_i is one more component
+of t_i and turns the object too (planner/contact_models/soft_finger.py); gamma_i / mu_i is a length of its patch. The
+level of friction does not enter, so in the experiment only the simulator decides whether the forces hold. Because
+phi(w, k r) falls as k grows (it is Subproblem 2 with friction k r), the least k is the root of phi(w, k r) = cap. The
+variables are those of `planner.forces.minimax`.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
-from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.contact_models.models import model_of
+from planner.contacts import Contacts, reach
 from planner.forces.minimax import MinimaxForces
 
 STEEPEST = np.deg2rad(89.0)
@@ -31,22 +36,33 @@ ROUND_OFF = 1e-12
 """A sum of presses below this part of its terms is zero."""
 
 
+class Push(NamedTuple):
+    """What the fingers do."""
+
+    forces: np.ndarray
+    """In body axes, shape (contacts, d) [N]."""
+
+    torques: np.ndarray
+    """That balance takes beside them, about the inward normals, shape (contacts,) [N m]; none at hard fingers. No
+    finger is told: a fingertip that does not turn holds what comes."""
+
+
 class FeedForward:
     """Least-utilisation forces of one grasp. Not for several threads at once."""
 
     def __init__(self, contacts: Contacts, reference_point: np.ndarray) -> None:
         """
         Args:
-            contacts: The grasp; only the ratios of its friction coefficients are used.
+            contacts: The grasp; of its friction only the ratios of the coefficients and gamma / mu are used.
             reference_point: Point the wrenches refer to, shape (d,) [m].
         """
-        self.frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
-        self.maps = grasp_maps(contacts.points, reference_point) @ self.frames
-        self.ratios = contacts.friction / contacts.friction.max()
-        self.length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
-        self._solver = MinimaxForces(len(contacts), contacts.dimension)
+        self._contacts, self._model = contacts, model_of(contacts)
+        self._maps = self._model.maps(contacts, reference_point)
+        self._ratios = contacts.friction / contacts.friction.max()
+        self._length = reach(contacts.points, reference_point)
+        self._solver = MinimaxForces(len(contacts), contacts.dimension, self._model)
 
-    def forces(self, wrench: np.ndarray, cap: float) -> np.ndarray:
+    def answer(self, wrench: np.ndarray, cap: float) -> Push:
         """Forces that answer `wrench`.
 
         Where no friction whatever balances it within the cap, the best effort: the forces of the least
@@ -56,16 +72,14 @@ class FeedForward:
             wrench: External wrench, shape (D,) [N, N m].
             cap: Largest force norm of a finger of strength 1 [N].
 
-        Returns:
-            Contact forces in body axes, shape (contacts, d) [N].
         """
-        forces, phi = self._least_utilisation(wrench, cap)
+        components, phi = self._least_utilisation(wrench, cap)
         if phi > cap:
-            forces = forces * (cap / phi) if np.isfinite(phi) else np.zeros_like(forces)
-        return self._in_body_axes(forces)
+            components = components * (cap / phi) if np.isfinite(phi) else np.zeros_like(components)
+        return self._push(components)
 
-    def internal_force(self, cap: float) -> np.ndarray:
-        """Forces that balance each other with little utilisation, the largest over its strength equal to `cap`.
+    def squeeze(self, cap: float) -> Push:
+        """Internal forces of little utilisation: they balance each other, the largest over its strength is `cap`.
 
         The fingers press along every normal, each with its strength, and answer their own press within PRESS
         units: press and answer together are balanced, and adding a normal leaves no cone. A grasp that cannot
@@ -73,22 +87,20 @@ class FeedForward:
 
         Args:
             cap: Largest force norm of a finger of strength 1 [N].
-
-        Returns:
-            Contact forces in body axes, shape (contacts, d) [N].
         """
-        press = np.zeros_like(self.maps[:, 0])
+        press = np.zeros_like(self._maps[:, 0])
         press[:, 0] = 1.0
-        wrench = np.einsum("iDe,ie->D", self.maps, press)
-        wrench[np.abs(wrench) <= ROUND_OFF * np.abs(self.maps[:, :, 0]).sum(axis=0)] = 0.0
+        wrench = np.einsum("iDe,ie->D", self._maps, press)
+        wrench[np.abs(wrench) <= ROUND_OFF * np.abs(self._maps[:, :, 0]).sum(axis=0)] = 0.0
         answer, phi = self._least_utilisation(wrench, PRESS)
         if phi > PRESS:
-            return np.zeros_like(press)
-        forces = press + answer
-        return self._in_body_axes(forces * (cap / float(np.linalg.norm(forces, axis=1).max())))
+            return self._push(np.zeros_like(press))
+        components = press + answer
+        forces = components[:, : self._contacts.dimension]
+        return self._push(components * (cap / float(np.linalg.norm(forces, axis=1).max())))
 
     def _least_utilisation(self, wrench: np.ndarray, cap: float) -> tuple[np.ndarray, float]:
-        """Forces over strengths in contact frames, and their largest norm: above the cap only if no friction helps.
+        """Components of the forces, and their largest norm: above the cap only if no friction helps.
 
         Finds the friction angle where cap / phi - 1 changes sign (it is -1 where no forces exist) by the
         Illinois method: false position that halves the value of an end kept twice in a row.
@@ -114,13 +126,14 @@ class FeedForward:
                 kept = -1
         return best
 
-    def _in_body_axes(self, forces: np.ndarray) -> np.ndarray:
-        return np.einsum("ide,ie->id", self.frames, forces)
+    def _push(self, components: np.ndarray) -> Push:
+        forces = self._model.forces(self._contacts, components)
+        return Push(forces, self._model.torques(self._contacts, components))
 
     def _solve(self, wrench: np.ndarray, angle: float) -> tuple[np.ndarray, float]:
-        """Forces over strengths of least largest norm at one friction angle, and that norm; infinite if none exist."""
-        forces, phi, _ = self._solver.solve_arrays(self.maps, np.tan(angle) * self.ratios, wrench, self.length)
-        return forces, phi
+        """Components of least largest force at one friction angle, and its norm; infinite if none exist."""
+        components, phi, _ = self._solver.solve_arrays(self._maps, np.tan(angle) * self._ratios, wrench, self._length)
+        return components, phi
 
 
 def _margin(cap: float, phi: float) -> float:

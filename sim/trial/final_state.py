@@ -24,6 +24,9 @@ class FinalState:
     contact_forces: np.ndarray
     """Measured contact forces in contact frames, normal first, shape (simulations, contacts, 3) [N]."""
 
+    contact_torques: np.ndarray
+    """Measured torques of the contacts about their normals, shape (simulations, contacts) [N m]."""
+
     @property
     def translations(self) -> np.ndarray:
         """Displacement of the object, shape (simulations,) [m]."""
@@ -33,6 +36,19 @@ class FinalState:
     def rotations(self) -> np.ndarray:
         """Rotation of the object, shape (simulations,) [rad]."""
         return angles(self.object_quaternions)
+
+    def spins(self, normals: np.ndarray) -> np.ndarray:
+        """How far each fingertip, which does not turn, spins on the object, shape (simulations, contacts) [rad].
+
+        The part of the object's rotation vector along each normal, which for small rotations is the turn about it.
+
+        Args:
+            normals: Of the contacts, shape (contacts, 3).
+        """
+        axes = self.object_quaternions[:, 1:]
+        lengths = np.linalg.norm(axes, axis=1, keepdims=True)
+        units = np.divide(axes, lengths, out=np.zeros_like(axes), where=lengths > 0)
+        return np.abs(self.rotations[:, None] * (units @ normals.T))
 
 
 def angles(quaternions: np.ndarray) -> np.ndarray:

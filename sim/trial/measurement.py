@@ -1,11 +1,12 @@
 """What the experiment shows: slip, motion, lost contacts and forces of every simulation."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from planner.contact_models.friction_cone import components, utilisation
+from planner.contact_models.friction_cone import components
+from planner.contact_models.models import model_of
 from sim.scene.scene import Scene
 from sim.trial.final_state import FinalState
 from sim.trial.protocol import ValidationProtocol
@@ -21,6 +22,10 @@ class Measurement:
 
     slips: np.ndarray
     """Sliding of each fingertip along the object's surface over R0, shape (simulations, contacts)."""
+
+    spins: np.ndarray
+    """Turn of each soft fingertip against the object about its normal, shape (simulations, contacts) [rad]; zero for
+    hard ones, which spin as they like."""
 
     separations: np.ndarray
     """Distance of each fingertip from where it touched, along the outward normal, over R0, same shape."""
@@ -38,10 +43,11 @@ class Measurement:
     """Norms of the contact forces MuJoCo reports, shape (simulations, contacts) [N]."""
 
     predicted_utilisations: np.ndarray
-    """|f_t| / f_n of the commanded contact forces, shape (simulations, contacts); zero where not loaded."""
+    """|f_t| / f_n of the commanded contact forces, of soft fingers |(f_t, tau mu / gamma)| / f_n with the torques that
+    balance takes, shape (simulations, contacts); zero where not loaded."""
 
     measured_utilisations: np.ndarray
-    """|f_t| / f_n of the contact forces MuJoCo reports, same shape; zero where not loaded."""
+    """The same of the contact forces and torques MuJoCo reports, same shape; zero where not loaded."""
 
     loaded: np.ndarray
     """Fingers that carry enough to be judged, shape (simulations, contacts)."""
@@ -56,6 +62,11 @@ class Measurement:
     def slip(self) -> np.ndarray:
         """Largest slip of a loaded finger over R0, shape (simulations,); zero where none is loaded."""
         return np.where(self.loaded, self.slips, 0.0).max(axis=1)
+
+    @property
+    def spin(self) -> np.ndarray:
+        """Largest spin of a loaded soft finger, shape (simulations,) [rad]; zero where none is."""
+        return np.where(self.loaded, self.spins, 0.0).max(axis=1)
 
     def rows(self, selection: slice) -> "Measurement":
         """The selected simulations."""
@@ -72,7 +83,7 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
 
     A fingertip does not turn, so the point of it that first touched the object moves, in the object's frame, by
     R^T (p + q - x) - p, with p the contact, q the displacement of the tip and (R, x) the object's pose. Its
-    part in the tangent plane is the slip.
+    part in the tangent plane is the slip, and the turn of R about the normal the spin.
 
     Args:
         scene: The scene that was run.
@@ -81,30 +92,36 @@ def measure(scene: Scene, trial: Trial, final: FinalState, force: float, protoco
         force: Newtons per newton of the experiment.
         protocol: Thresholds.
     """
-    points, normals = scene.contacts.points, scene.contacts.normals
+    contacts, model = scene.contacts, model_of(scene.contacts)
+    points, normals = contacts.points, contacts.normals
     from_object = points + final.tip_displacements - final.object_positions[:, None]
     moved = _unrotated(final.object_quaternions, from_object) - points
     inward, sliding = components(moved, normals)
     slips = sliding / protocol.reach
+    spins = np.where(contacts.torsions > 0, final.spins(normals), 0.0)
     translations, rotations = final.translations / protocol.reach, final.rotations
     predicted = np.linalg.norm(trial.forces, axis=2)
-    loaded = predicted > protocol.loaded * trial.caps[:, None] * scene.contacts.strengths
+    loaded = predicted > protocol.loaded * trial.caps[:, None] * contacts.strengths
     lost = loaded & ~final.touching
     still = (translations < protocol.motion_tolerance) & (rotations < protocol.motion_tolerance)
-    gripped = ~(loaded & (slips >= protocol.slip_tolerance)).any(axis=1) & ~lost.any(axis=1)
+    gone = lost | (loaded & ((slips >= protocol.slip_tolerance) | (spins >= protocol.spin_tolerance)))
+    in_frames = replace(contacts, normals=np.eye(3)[np.zeros(len(contacts), dtype=int)])
     return Measurement(
         caps=trial.caps * force,
         slips=slips,
+        spins=spins,
         separations=-inward / protocol.reach,
         translations=translations,
         rotations=rotations,
         predicted_forces=predicted * force,
         measured_forces=np.linalg.norm(final.contact_forces, axis=2) * force,
-        predicted_utilisations=np.where(loaded, utilisation(trial.forces, normals), 0.0),
-        measured_utilisations=np.where(loaded, utilisation(final.contact_forces, np.eye(3)[0]), 0.0),
+        predicted_utilisations=np.where(loaded, model.utilisation(trial.forces, trial.torques, contacts), 0.0),
+        measured_utilisations=np.where(
+            loaded, model.utilisation(final.contact_forces, final.contact_torques, in_frames), 0.0
+        ),
         loaded=loaded,
         lost=lost,
-        held=still & gripped,
+        held=still & ~gone.any(axis=1),
     )
 
 

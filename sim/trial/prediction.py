@@ -1,10 +1,9 @@
 """What the theory says about a grasp and its wrenches, solved anew: the measurement trusts no file."""
 
-from dataclasses import replace
-
 import numpy as np
 
-from planner.contacts import Contacts, contact_frames, grasp_maps
+from planner.contact_models.models import model_of
+from planner.contacts import Contacts, reach
 from planner.forces.minimax import MinimaxForces
 
 
@@ -19,10 +18,9 @@ def predicted_caps(contacts: Contacts, reference_point: np.ndarray, wrenches: np
     Returns:
         Shape (wrenches,) [N]; infinite where no forces balance the wrench.
     """
-    solver = MinimaxForces(len(contacts), contacts.dimension)
-    frames = contact_frames(contacts.normals) * contacts.strengths[:, None, None]
-    maps = grasp_maps(contacts.points, reference_point) @ frames
-    length = float(np.linalg.norm(contacts.points - reference_point, axis=1).max()) or 1.0
+    model = model_of(contacts)
+    solver = MinimaxForces(len(contacts), contacts.dimension, model)
+    maps, length = model.maps(contacts, reference_point), reach(contacts.points, reference_point)
     return np.array([solver.solve_arrays(maps, contacts.friction, wrench, length)[1] for wrench in wrenches])
 
 
@@ -40,5 +38,5 @@ def on_friction_limit(
     Returns:
         Shape (wrenches,).
     """
-    slippery = replace(contacts, friction=margin * contacts.friction)
+    slippery = contacts.with_friction(margin * contacts.friction)
     return ~np.isfinite(predicted_caps(slippery, reference_point, wrenches))

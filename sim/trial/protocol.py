@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from planner.contacts import Contacts
 from planner.objects.mjcf.touch import CLEARANCE, ON_SURFACE
 from sim.scene.physics import Physics
 from sim.trial.final_state import FinalState
@@ -69,6 +70,9 @@ class ValidationProtocol(Physics, FingerLaw):
     On the friction limit, where the load is a hundredth of the cap and less, slips are too slow for any tolerance.
     """
 
+    spin_tolerance: float = 6e-5
+    """Largest spin of a held soft fingertip about its normal [rad]."""
+
     motion_tolerance: float = 1e-3
     """Largest motion of a held object: translation relative to the reach, rotation in radians."""
 
@@ -90,8 +94,16 @@ class ValidationProtocol(Physics, FingerLaw):
     """Part of the planned friction below which the search for such a loss ends: friction does not limit this grasp,
     and every wrench must be held with the first part."""
 
+    torsion_factors: tuple[float, ...] = (0.9, 0.8, 0.0)
+    """With the planned torsional friction of soft fingers multiplied by each of these, exactly the predicted wrenches
+    must slip."""
+
+    least_torsion: float = 0.1
+    """A wrench that this part of the planned torsional friction still holds is too near to call without any."""
+
     friction_margin: float = 0.98
-    """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit."""
+    """A wrench that no cap holds with the planned friction multiplied by this lies on the friction limit. Whatever
+    multiplies friction here multiplies the torsional friction too, as for a patch on other materials."""
 
     ambiguity: float = 0.01
     """Wrenches whose predicted cap is within this part of the simulated one are too near to call."""
@@ -118,3 +130,26 @@ ACTIVE = ValidationProtocol(name="rhograsp.active/2")
 
 STRICT = replace(ACTIVE, name="rhograsp.active-strict/2", hold_factor=1.005, control_factor=0.995)
 """The same with a four times narrower band around rho."""
+
+ACTIVE_SOFT = replace(ACTIVE, name="rhograsp.active-soft/1", impratio=1000.0, noslip_iterations=3, hold_time=0.7)
+"""Fingers with torsional friction, some or all of them."""
+
+STRICT_SOFT = replace(
+    ACTIVE_SOFT,
+    name="rhograsp.active-soft-strict/1",
+    hold_factor=STRICT.hold_factor,
+    control_factor=STRICT.control_factor,
+)
+"""The same with the narrower band."""
+
+
+def active_protocol(contacts: Contacts, *, strict: bool = False) -> ValidationProtocol:
+    """The protocol for fingers that adapt at such contacts.
+
+    Args:
+        contacts: The grasp.
+        strict: With the narrower band around rho.
+    """
+    if contacts.torsions.any():
+        return STRICT_SOFT if strict else ACTIVE_SOFT
+    return STRICT if strict else ACTIVE

@@ -10,7 +10,7 @@ import numpy as np
 from mujoco import batch
 
 from planner.errors import SimulationError
-from sim.scene.fingertips import SENSOR_WIDTH
+from sim.scene.fingertips import FORCE, FOUND, SENSOR_WIDTH, TORQUE
 from sim.scene.scene import Scene
 from sim.trial.final_state import FinalState
 from sim.trial.force_law import FingerLaw
@@ -43,6 +43,9 @@ class Trial:
 
     forces: np.ndarray
     """Feed-forward forces under the full wrench, shape (simulations, contacts, 3) [N]."""
+
+    torques: np.ndarray
+    """About the normals, that balance takes beside them, shape (simulations, contacts) [N m]; zero at hard fingers."""
 
     def at(self, squeeze: float, load: float) -> tuple[np.ndarray, np.ndarray]:
         """Wrenches and feed-forward forces at a squeeze s and a load fraction a; see sim/trial/schedule.py."""
@@ -100,8 +103,9 @@ def step_through(
             object_positions=object_positions,
             object_quaternions=object_quaternions,
             tip_displacements=displacements.copy(),
-            touching=sensors[:, :, 0] > 0,
-            contact_forces=sensors[:, :, 1:].copy(),
+            touching=sensors[:, :, FOUND] > 0,
+            contact_forces=sensors[:, :, FORCE].copy(),
+            contact_torques=sensors[:, :, TORQUE].copy(),
         )
 
     finger_caps = caps[:, None] * scene.contacts.strengths

@@ -117,6 +117,7 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
     answers = experiment.active(paths.reshape(-1, 6), np.full(count * corners, cap))
     wrenches = answers.wrenches.reshape(count, corners, 6)
     forces = answers.forces.reshape(count, corners, -1, 3)
+    torques = answers.torques.reshape(count, corners, -1)
     caps = answers.caps[::corners]
     first, last = (
         Trial(
@@ -125,6 +126,7 @@ def measure_paths(experiment: Experiment, paths: np.ndarray, cap: float) -> Meas
             preloads=answers.preloads[::corners],
             preload_wrenches=answers.preload_wrenches[::corners],
             forces=forces[:, corner],
+            torques=torques[:, corner],
         )
         for corner in (0, -1)
     )

@@ -30,6 +30,9 @@ class ControlExperiment:
     slips: np.ndarray
     """Largest slip of a loaded finger over R0, shape (simulations,)."""
 
+    spins: np.ndarray
+    """Largest spin of a loaded soft finger, shape (simulations,) [rad]."""
+
     held: np.ndarray
     """Whether the simulation was held, shape (simulations,)."""
 
@@ -70,6 +73,11 @@ class ControlExperiment:
         did = "held" if self.held[first] else "slipped"
         return (
             f"control '{self.name}' did not behave ({self.change}): {self.wrong.sum()} of {self.counted.sum()} "
-            f"outcomes against the prediction; {wrench} {did} (slip {self.slips[first]:.2g} R0) with the cap at "
+            f"outcomes against the prediction; {wrench} {did} ({self._seen(first)}) with the cap at "
             f"{self.caps[first]:.5g} N where phi is {self.phi[first]:.5g} N"
         )
+
+    def _seen(self, simulation: int) -> str:
+        """What a simulation showed, in words; a spin where there is one."""
+        slip, spin = float(self.slips[simulation]), float(self.spins[simulation])
+        return f"slip {slip:.2g} R0" + (f", spin {spin:.2g} rad" if spin else "")

@@ -1,10 +1,10 @@
-"""The four controls of a validation: less cap, no load, less friction, another contact."""
+"""The controls of a validation: less cap, no load, less friction, another contact, and less torsional friction."""
 
 from dataclasses import replace
 
 import numpy as np
 
-from planner.contact_models.friction_cone import utilisation
+from planner.contact_models.models import model_of
 from planner.millimetres import in_mm
 from planner.progress import Done
 from sim.trial.experiment import Experiment, set_up
@@ -34,6 +34,7 @@ def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationPr
         phi=np.array([grasp.rho]),
         caps=outcome.caps,
         slips=outcome.slip,
+        spins=outcome.spin,
         held=outcome.held,
         expected=np.array([False]),
         counted=np.array([True]),
@@ -43,8 +44,9 @@ def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationPr
 def squeezes(experiment: Experiment) -> bool:
     """Whether the internal force that fingers without load take fits the planned cones."""
     contacts, margin = experiment.grasp.contacts, experiment.protocol.friction_margin
-    forces = FeedForward(contacts, experiment.units.reference_point).internal_force(1.0)
-    return bool(forces.any() and (utilisation(forces, contacts.normals) <= margin * contacts.friction).all())
+    forces, torques = FeedForward(contacts, experiment.units.reference_point).squeeze(1.0)
+    utilisation = model_of(contacts).utilisation(forces, torques, contacts)
+    return bool(forces.any() and (utilisation <= margin * contacts.friction).all())
 
 
 def creep_control(
@@ -68,6 +70,7 @@ def creep_control(
         phi=np.array([part * grasp.rho]),
         caps=outcome.caps,
         slips=outcome.slip,
+        spins=outcome.spin,
         held=outcome.held & (outcome.slip < protocol.creep_tolerance),
         expected=np.array([True]),
         counted=np.array([decidable]),
@@ -78,7 +81,8 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     """With less friction in the simulator exactly the wrenches must slip whose predicted cap is then above the cap.
 
     The friction is lowered until theory says that some wrench is lost: a grasp that friction does not limit holds as
-    before with a little less of it. The fingers do the same as before: their forces do not know the friction.
+    before with a little less of it. The fingers do the same as before: their forces do not know the friction. What
+    resists turning goes along with it, as it does for a patch.
 
     Args:
         experiment: With the planned contacts.
@@ -91,8 +95,8 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     protocol, grasp = experiment.protocol, experiment.grasp
     cap = float(trial.caps.max()) / experiment.units.force
     factor, phi = _losing_friction(grasp, cap, protocol)
-    friction = factor * grasp.contacts.friction
-    outcome = experiment.with_friction(friction).perform(trial, observe)
+    slippery = grasp.contacts.with_friction(factor * grasp.contacts.friction)
+    outcome = experiment.with_friction(slippery).perform(trial, observe)
     return ControlExperiment(
         name="friction",
         change=f"friction at {factor:.3g} of the planned, cap at {protocol.hold_factor:g} rho",
@@ -100,6 +104,7 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
         phi=phi,
         caps=outcome.caps,
         slips=outcome.slip,
+        spins=outcome.spin,
         held=outcome.held,
         expected=phi < outcome.caps,
         counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
@@ -114,12 +119,59 @@ def _losing_friction(grasp: LoadedGrasp, cap: float, protocol: ValidationProtoco
     tried = []
     factor = protocol.friction_factor
     while factor >= protocol.least_friction:
-        slippery = replace(grasp.contacts, friction=factor * grasp.contacts.friction)
+        slippery = grasp.contacts.with_friction(factor * grasp.contacts.friction)
         tried.append((factor, predicted_caps(slippery, grasp.reference_point, grasp.wrenches)))
         if (tried[-1][1] > (1 + protocol.ambiguity) * cap).any():
             return tried[-1]
         factor *= protocol.friction_factor
     return tried[0]
+
+
+def torsion_controls(experiment: Experiment, observe: Done = lambda _: None) -> tuple[ControlExperiment, ...]:
+    """With fingers that resist turning less than planned, or not at all, exactly the predicted wrenches must slip.
+
+    Sliding friction stays, so this is another patch, gamma / mu is another, and the fingers answer every wrench anew.
+
+    Args:
+        experiment: With the planned contacts, some of which have torsional friction.
+        observe: Called after each with how many simulations are done.
+
+    Raises:
+        SimulationError: When MuJoCo stops or loses a simulation.
+    """
+    controls = []
+    for factor in experiment.protocol.torsion_factors:
+        controls.append(_torsion_control(experiment, factor))
+        observe(len(controls) * len(experiment.grasp.wrenches))
+    return tuple(controls)
+
+
+def _torsion_control(experiment: Experiment, factor: float) -> ControlExperiment:
+    """Every wrench with this part of the planned torsional friction.
+
+    Without any, what is lost spins as slowly as the wrench is small; it counts only where a little torsion is no help.
+    """
+    protocol, planned = experiment.protocol, experiment.grasp
+    weak, barely = (
+        planned.with_contacts(replace(planned.contacts, torsion=part * planned.contacts.torsions))
+        for part in (factor, max(factor, protocol.least_torsion))
+    )
+    other = replace(experiment.with_friction(weak.contacts), grasp=weak)
+    outcome = other.measure(planned.wrenches, np.full(len(planned.wrenches), protocol.hold_factor))
+    clear = np.all([np.abs(each.phi / outcome.caps - 1) > protocol.ambiguity for each in (weak, barely)], axis=0)
+    expected = weak.phi < outcome.caps
+    return ControlExperiment(
+        name="torsion",
+        change=f"torsional friction at {factor:g} of the planned, cap at {protocol.hold_factor:g} rho",
+        wrenches=np.arange(len(planned.wrenches)),
+        phi=weak.phi,
+        caps=outcome.caps,
+        slips=outcome.slip,
+        spins=outcome.spin,
+        held=outcome.held,
+        expected=expected,
+        counted=clear & (expected == (barely.phi < outcome.caps)),
+    )
 
 
 def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> ControlExperiment:
@@ -155,6 +207,7 @@ def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> 
             phi=grasp.phi[[worst, worst]],
             caps=outcome.caps,
             slips=outcome.slip,
+            spins=outcome.spin,
             held=outcome.held,
             expected=np.array([True, False]),
             counted=np.array([True, True]),
@@ -172,6 +225,7 @@ def _impossible(name: str, why: str) -> ControlExperiment:
         phi=numbers,
         caps=numbers,
         slips=numbers,
+        spins=numbers,
         held=answers,
         expected=answers,
         counted=answers,

@@ -14,7 +14,7 @@ import numpy as np
 from planner.errors import SimulationError
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
-from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.protocol import ValidationProtocol
 
 BANDS = (0.005, 0.02, 0.1, 0.3)
 """Half widths of the bands about the prediction that are searched, narrowest first."""
@@ -60,7 +60,7 @@ class CriticalForce:
 
 def measure_critical_force(
     grasp: LoadedGrasp,
-    protocol: ValidationProtocol = ACTIVE,
+    protocol: ValidationProtocol | None = None,
     simulated_friction: np.ndarray | None = None,
     observe: Callable[[float, float], None] = lambda *_: None,
 ) -> CriticalForce:
@@ -68,8 +68,9 @@ def measure_critical_force(
 
     Args:
         grasp: What is measured, every prediction positive.
-        protocol: Settings and thresholds.
-        simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        protocol: Settings and thresholds; by default those for such contacts, `active_protocol`.
+        simulated_friction: Friction in the simulator, shape (contacts,), with the torsional friction that goes with
+            it; the planned one if None.
         observe: Called now and then with how many simulations are done and how many are expected in all.
 
     Raises:

@@ -24,6 +24,8 @@ class FingerRecord(msgspec.Struct, frozen=True, kw_only=True):
 
     slip: float
     """Sliding over R0."""
+    spin: float = 0.0
+    """Turn about its normal against the object [rad]; 0 for a finger without torsional friction."""
     separation: float
     """Distance from where it touched, outward, over R0."""
     predicted_force: float
@@ -31,9 +33,10 @@ class FingerRecord(msgspec.Struct, frozen=True, kw_only=True):
     measured_force: float
     """Norm of the contact force in MuJoCo [N]."""
     predicted_utilisation: float
-    """|f_t| / f_n of the commanded contact force."""
+    """|f_t| / f_n of the commanded contact force; with torsional friction |(f_t, tau mu / gamma)| / f_n, with the
+    torque tau that balance takes."""
     measured_utilisation: float
-    """|f_t| / f_n of the contact force in MuJoCo."""
+    """The same of the contact force and torque in MuJoCo."""
     loaded: bool
     """Whether it carries enough to be judged."""
     lost: bool
@@ -52,6 +55,8 @@ class SimulationRecord(msgspec.Struct, frozen=True, kw_only=True):
     held: bool
     slip: float
     """Largest slip of a loaded finger over R0."""
+    spin: float = 0.0
+    """Largest spin of a loaded finger with torsional friction [rad]."""
     translation: float
     """Displacement of the object over R0."""
     rotation: float
@@ -70,6 +75,8 @@ class OutcomeRecord(msgspec.Struct, frozen=True, kw_only=True):
     """Simulated cap [N]."""
     slip: float
     """Largest slip of a loaded finger over R0."""
+    spin: float = 0.0
+    """Largest spin of a loaded finger with torsional friction [rad]."""
     held: bool
     expected: bool
     """Whether theory says it is held."""
@@ -171,6 +178,10 @@ class ValidationDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Of the fingers: the cap of each is its strength times the stated one. Empty: all 1, in files of old."""
     planned_friction: tuple[float, ...]
     simulated_friction: tuple[float, ...]
+    planned_torsion: tuple[float, ...] = ()
+    """Torsional friction of every finger [m]. Empty: none, in files of old."""
+    simulated_torsion: tuple[float, ...] = ()
+    """[m]"""
     static: StaticRecord
     friction_limited: tuple[int, ...] = ()
     """Wrenches on the friction limit, held or not: whatever the cap, they need more than `friction_margin` (see
@@ -206,6 +217,8 @@ def to_document(validation: Validation, *, grasp: str | None = None) -> Validati
         strengths=tuple(held.contacts.strengths.tolist()),
         planned_friction=tuple(held.contacts.friction.tolist()),
         simulated_friction=tuple(validation.simulated_friction.tolist()),
+        planned_torsion=tuple(held.contacts.torsions.tolist()),
+        simulated_torsion=tuple(validation.simulated_torsion.tolist()),
         static=StaticRecord(
             distances=tuple(static.distances.tolist()),
             touches=tuple(static.touches.tolist()),
@@ -243,6 +256,7 @@ def _control(control: ControlExperiment) -> ControlRecord:
         control.phi,
         control.caps,
         control.slips,
+        control.spins,
         control.held,
         control.expected,
         control.counted,
@@ -257,11 +271,14 @@ def _control(control: ControlExperiment) -> ControlRecord:
                 phi=finite_or_none(phi),
                 cap=cap,
                 slip=slip,
+                spin=spin,
                 held=held,
                 expected=expected,
                 counted=counted,
             )
-            for wrench, phi, cap, slip, held, expected, counted in zip(*(c.tolist() for c in columns), strict=True)
+            for wrench, phi, cap, slip, spin, held, expected, counted in zip(
+                *(c.tolist() for c in columns), strict=True
+            )
         ),
     )
 
@@ -301,6 +318,7 @@ def _records(measurement: Measurement, validation: Validation) -> tuple[Simulati
         measurement.caps.tolist(),
         measurement.held.tolist(),
         measurement.slip.tolist(),
+        measurement.spin.tolist(),
         measurement.translations.tolist(),
         measurement.rotations.tolist(),
         strict=True,
@@ -312,11 +330,12 @@ def _records(measurement: Measurement, validation: Validation) -> tuple[Simulati
             cap=cap,
             held=held,
             slip=slip,
+            spin=spin,
             translation=translation,
             rotation=rotation,
             fingers=_fingers(measurement, wrench),
         )
-        for wrench, (phi, cap, held, slip, translation, rotation) in enumerate(columns)
+        for wrench, (phi, cap, held, slip, spin, translation, rotation) in enumerate(columns)
     )
 
 
@@ -324,6 +343,7 @@ def _fingers(measurement: Measurement, row: int) -> tuple[FingerRecord, ...]:
     names = FingerRecord.__struct_fields__
     arrays = (
         measurement.slips,
+        measurement.spins,
         measurement.separations,
         measurement.predicted_forces,
         measurement.measured_forces,

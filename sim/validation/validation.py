@@ -17,7 +17,7 @@ from sim.scene.static_check import StaticCheck
 from sim.trial.experiment import Experiment, set_up
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement
-from sim.trial.protocol import ACTIVE, ValidationProtocol
+from sim.trial.protocol import ValidationProtocol
 from sim.trial.workload import Workload
 from sim.validation.beyond import SIMULATIONS, Beyond, measure_beyond
 from sim.validation.control_experiment import ControlExperiment
@@ -27,6 +27,7 @@ from sim.validation.control_experiments import (
     displacement_control,
     friction_control,
     squeezes,
+    torsion_controls,
 )
 from sim.validation.critical_force import CriticalForce, bisect_caps, expected_simulations
 from sim.validation.force_agreement import ForceAgreement, force_agreement
@@ -53,6 +54,9 @@ class Validation:
 
     simulated_friction: np.ndarray
     """Shape (contacts,)."""
+
+    simulated_torsion: np.ndarray
+    """Shape (contacts,) [m]."""
 
     static: StaticCheck
     """Whether the fingertips touch what was planned; if not, nothing was simulated."""
@@ -84,7 +88,7 @@ class Validation:
 def validate(
     rigid_object: Graspable,
     grasp: Grasp,
-    protocol: ValidationProtocol = ACTIVE,
+    protocol: ValidationProtocol | None = None,
     *,
     measure: bool = False,
     thorough: bool = False,
@@ -95,7 +99,7 @@ def validate(
     Args:
         rigid_object: What the fingers hold.
         grasp: With contacts; of a planar object, validated as a slab.
-        protocol: Settings and thresholds.
+        protocol: Settings and thresholds; by default those for such contacts, `active_protocol`.
         measure: Bisect the cap of every wrench too.
         thorough: Load the grasp with more than the vertices too.
         observe: Told now and then how many simulations are done, and of how many.
@@ -110,7 +114,7 @@ def validate(
 
 def validate_contacts(
     grasp: LoadedGrasp,
-    protocol: ValidationProtocol = ACTIVE,
+    protocol: ValidationProtocol | None = None,
     simulated_friction: np.ndarray | None = None,
     *,
     measure: bool = False,
@@ -121,8 +125,9 @@ def validate_contacts(
 
     Args:
         grasp: What is measured.
-        protocol: Settings and thresholds.
-        simulated_friction: Friction in the simulator, shape (contacts,); the planned one if None.
+        protocol: Settings and thresholds; by default those for such contacts, `active_protocol`.
+        simulated_friction: Friction in the simulator, shape (contacts,), with the torsional friction that goes with
+            it; the planned one if None.
         measure: Bisect the cap of every wrench too.
         thorough: Load the grasp with more than the vertices too.
         observe: Told now and then how many simulations are done, and of how many.
@@ -133,14 +138,16 @@ def validate_contacts(
     if measure:
         grasp.require_predictions()
     experiment = set_up(grasp, protocol, simulated_friction)
-    friction, limited = experiment.scene.contacts.friction, grasp.friction_limited(protocol.friction_margin)
+    protocol, simulated = experiment.protocol, experiment.scene.contacts
+    limited = grasp.friction_limited(protocol.friction_margin)
     objections: tuple[str, ...] = experiment.static.reasons()
     doubts: tuple[str, ...] = ()
     vertices = critical_force = beyond = None
     controls: tuple[ControlExperiment, ...] = ()
     if not objections:
         count = len(grasp.wrenches)
-        work = Workload(observe, _expected(count, measure=measure, thorough=thorough))
+        twisting = len(protocol.torsion_factors) * count if grasp.contacts.torsions.any() else 0
+        work = Workload(observe, twisting + _expected(count, measure=measure, thorough=thorough))
         holding = work.part("holding every wrench", count)
         trial = experiment.active(grasp.wrenches, np.full(count, protocol.hold_factor))
         vertices = experiment.perform(trial, holding)
@@ -148,6 +155,7 @@ def validate_contacts(
             *_simple_controls(experiment, limited=bool(limited[grasp.critical_wrench])),
             friction_control(experiment, trial, work.part("controls", count + FEW)),
             displacement_control(grasp, protocol),
+            *(torsion_controls(experiment, work.part("controls of torsion", twisting)) if twisting else ()),
         )
         objections = unheld(vertices, limited, protocol.reach / experiment.units.length, protocol)
         doubts = undecided(vertices, limited, protocol)
@@ -163,11 +171,12 @@ def validate_contacts(
         verdict=judge(objections, doubts),
         reasons=objections + doubts,
         grasp=grasp,
-        simulated_friction=friction,
+        simulated_friction=simulated.friction,
+        simulated_torsion=simulated.torsions / experiment.units.length,
         static=experiment.static,
         limited=limited,
         vertices=vertices,
-        forces=force_agreement(vertices, friction, grasp.contacts.strengths) if vertices else None,
+        forces=force_agreement(vertices, simulated.friction, grasp.contacts.strengths) if vertices else None,
         controls=controls,
         critical_force=critical_force,
         beyond=beyond,

@@ -61,15 +61,22 @@ def unheld(vertices: Measurement, limited: np.ndarray, reach: float, protocol: V
     failed = np.flatnonzero(~vertices.held & ~limited)
     if not failed.size:
         return ()
-    worst = int(failed[vertices.slip[failed].argmax()])
+    worst = int(failed[_by_tolerance(vertices, protocol)[failed].argmax()])
     lost = np.flatnonzero(vertices.lost[worst])
     allowed = protocol.motion_tolerance
     moved = in_mm(reach * vertices.translations[worst], 2)
+    spin = float(vertices.spin[worst])
+    spun = f", spun {spin:.2g} rad (allowed {protocol.spin_tolerance:g})" if spin else ""
     touch = f", fingers {(lost + 1).tolist()} lost contact" if lost.size else ""
     return (
         f"{failed.size} of {len(vertices.held)} wrenches were not held with the cap at {protocol.hold_factor:g} rho "
         f"= {vertices.caps[0]:.5g} N; wrench {worst} slipped {vertices.slip[worst]:.2g} R0 (allowed "
-        f"{protocol.slip_tolerance:g}) and the object moved {moved} mm and turned "
+        f"{protocol.slip_tolerance:g}){spun} and the object moved {moved} mm and turned "
         f"{np.rad2deg(vertices.rotations[worst]):.2g} degrees (allowed {in_mm(reach * allowed, 2)} mm, "
         f"{np.rad2deg(allowed):.2g} degrees){touch}",
     )
+
+
+def _by_tolerance(vertices: Measurement, protocol: ValidationProtocol) -> np.ndarray:
+    """Slip or spin, whichever is worse, in what is allowed, shape (simulations,)."""
+    return np.maximum(vertices.slip / protocol.slip_tolerance, vertices.spin / protocol.spin_tolerance)

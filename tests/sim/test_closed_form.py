@@ -38,6 +38,7 @@ def squeezed_box(weights: np.ndarray, friction: np.ndarray, protocol: Validation
         preloads=press,
         preload_wrenches=np.zeros_like(down),
         forces=press + lift,
+        torques=np.zeros((len(weights), 2)),
     )
     return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
 

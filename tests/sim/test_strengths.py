@@ -98,12 +98,12 @@ def test_feed_forward_forces_keep_to_each_fingers_cap(limited_grasp: Grasp) -> N
     contacts, point = limited_grasp.contacts, limited_grasp.task.reference_point
     feed_forward = FeedForward(contacts, point)
     wrench, cap = limited_grasp.task.wrenches[limited_grasp.critical_wrench], 1.02 * limited_grasp.rho
-    forces = feed_forward.forces(wrench, cap)
+    forces = feed_forward.answer(wrench, cap).forces
     assert (np.linalg.norm(forces, axis=1) <= cap * contacts.strengths * (1 + 1e-6)).all()
     np.testing.assert_allclose(forces.sum(axis=0), -wrench[:3], atol=1e-6 * cap)
     arms = contacts.points - point
     np.testing.assert_allclose(np.cross(arms, forces).sum(axis=0), -wrench[3:], atol=1e-6 * cap * 0.01)
-    squeeze = feed_forward.internal_force(cap)
+    squeeze = feed_forward.squeeze(cap).forces
     np.testing.assert_allclose(squeeze.sum(axis=0), 0, atol=1e-6 * cap)
     assert (np.linalg.norm(squeeze, axis=1) / contacts.strengths).max() == pytest.approx(cap)
 

@@ -78,7 +78,7 @@ def test_graspdatagen_asks_for_contact_and_not_for_stillness() -> None:
 
 def test_the_settings_are_those_the_benchmarks_state() -> None:
     theirs = DEXGRASPBENCH
-    assert (theirs.object_mass, theirs.friction, theirs.torsional_friction, theirs.condim) == (0.1, 0.6, 0.02, 4)
+    assert (theirs.object_mass, theirs.friction, theirs.torsional_friction) == (0.1, 0.6, 0.02)
     assert (theirs.cone, theirs.impratio, theirs.noslip_iterations) == ("elliptic", 10, 2)
     assert (theirs.timestep, theirs.integrator, theirs.tug_time, theirs.tug_acceleration) == (
         4e-3,
