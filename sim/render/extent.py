@@ -25,6 +25,6 @@ def extent(corners: np.ndarray, contacts: Contacts, pose: DrawnPose, load: Load)
         rim = np.array([[-1, mu, 0], [-1, -mu, 0], [-1, 0, mu], [-1, 0, -mu]])
         points.append(contact + CONE_HEIGHT * size * rim @ frame.T)
     for frame, contact in zip(frames[contacts.torsions > 0], pose.contacts[contacts.torsions > 0], strict=True):
-        circle = TURN_ROOM * TWIST * np.array([[0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-        points.append(contact + size * (circle - [BEYOND, 0, 0]) @ frame.T)
+        around = TURN_ROOM * TWIST * np.array([[0, 1, 1], [0, 1, -1], [0, -1, 1], [0, -1, -1]])
+        points.append(contact + size * (around - [BEYOND, 0, 0]) @ frame.T)
     return np.concatenate(points)

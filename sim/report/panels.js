@@ -105,7 +105,7 @@ function fingerRow(wrench, finger) {
   const used = normal > 1e-9 * data.rho ? Math.hypot(rubbing / contact.friction, twist) / normal : 0;
   const cap = contact.strength * data.rho;
   const row = [badge(finger), metered(length(force) / cap, color, `${number(length(force), 4)} N`),
-    ...(soft ? [`${number(1000 * torque, 3)} N mm`] : []), metered(used, color, percent(used, 0))];
+    ...(soft ? [number(1000 * torque, 3)] : []), metered(used, color, percent(used, 0))];
   if (measured && measured.vertices.length) {
     const seen = measured.vertices[wrench].fingers[finger];
     row.push(`${number(seen.predicted_force, 4)} N`, `${number(seen.measured_force, 4)} N`);
@@ -122,7 +122,7 @@ function show(position) {
   document.getElementById("chosen").replaceChildren(el("b", {}, `wrench ${wrench}`), el("span", {}, rank),
     el("span", {}, `φ = ${number(data.phi[wrench])} N`));
   document.getElementById("load").textContent = loadWords(wrench);
-  const heads = ["", "planned force", ...(soft ? ["torque"] : []), "friction used"];
+  const heads = ["", "planned force", ...(soft ? ["torque [N\u00a0mm]"] : []), "friction used"];
   if (measured && measured.vertices.length) heads.push("commanded", "in MuJoCo");
   document.getElementById("fingers").replaceChildren(
     table(heads, data.contacts.map((_, finger) => fingerRow(wrench, finger))));

@@ -14,10 +14,11 @@ from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render import film
 from sim.render.drawn_motion import drawn_pose
+from sim.render.extent import extent
 from sim.render.film import FORMATS, Format, Frames, film_steps, format_of
 from sim.render.palette import BACKGROUND, FORCE, HELD, LOAD, OBJECT, SLIPPED, rgb
 from sim.render.picture import Picture, heading_of
-from sim.render.proportions import BEYOND, TWIST, arc
+from sim.render.proportions import ARC_ROD, BEYOND, TWIST, arc, arc_head
 from sim.render.recording import Recording
 from sim.scene.fingertips import TORQUE
 
@@ -94,14 +95,23 @@ def test_the_arcs_of_torques_are_in_the_picture(soft_picture: Picture, picture: 
         assert (with_arcs == without).all() != fewer
 
 
-def test_arcs_are_within_the_picture(soft_picture: Picture) -> None:
+def test_what_must_be_in_the_picture_bounds_the_arcs_of_soft_fingers_alone(soft_picture: Picture) -> None:
+    """Where hardly any force is drawn and the cones are narrow: seen from anywhere, nothing lies outside."""
     panel, recording = soft_picture.panel, soft_picture.recording
-    pose = drawn_pose(recording, recording.steps - 1, 0, panel.factor)
-    size = panel._size
+    contacts, corners = recording.experiment.scene.contacts, panel._triangles.reshape(-1, 3)
+    pose = drawn_pose(recording, 0, 0, 1.0)
+    pose = replace(pose, forces=0 * pose.forces)
+    narrow = replace(contacts, friction=np.full(len(contacts), 0.05))
+    soft, hard = (extent(corners, each, pose, panel._load) for each in (narrow, replace(narrow, torsion=None)))
+    arcs = []
     for contact, normal in zip(pose.contacts, pose.normals, strict=True):
-        points = contact - BEYOND * size * normal + TWIST * size * arc(normal, 1.0, 1.0)[0]
-        pixels = panel.view.pixels(points, panel.width, panel.height)
-        assert ((pixels > 0) & (pixels < [panel.width, panel.height])).all()
+        points, heading = arc(normal, 1.0, TWIST)
+        tip = points[-1] + arc_head(1.0, ARC_ROD)[0] * heading
+        arcs.append(contact + panel._size * (np.vstack([points, tip]) - BEYOND * normal))
+    seen = np.random.default_rng(0).normal(size=(3, 500))
+    farthest = (np.concatenate(arcs) @ seen).max(axis=0)
+    assert (farthest <= (soft @ seen).max(axis=0)).all()
+    assert (farthest > (hard @ seen).max(axis=0)).any()
 
 
 def test_a_gif_has_every_picture_and_stays_on_the_last(picture: Picture) -> None:
