@@ -7,6 +7,9 @@
     checks = planner.verify(grasp)
     planner.write_grasp("mug.grasp.json", grasp)
 
+Fingers with pads are soft: `make_candidates(...).twisting(patch=0.004)` gives them torsional friction, and the torques
+about the normals are `grasp.torques`.
+
 What is not asked for is not imported: `import planner` costs nothing.
 """
 

@@ -37,6 +37,19 @@ def limited_grasp(prism: RigidObject) -> Grasp:
     return plan(GraspProblem(prism, make_task("paper", prism), candidates, fingers=3, limits=limits))
 
 
+@pytest.fixture(scope="session")
+def box_object() -> RigidObject:
+    """The box of the assets."""
+    return read_object(ASSETS / "box" / "box.xml")
+
+
+@pytest.fixture(scope="session")
+def soft_grasp(box_object: RigidObject) -> Grasp:
+    """The box between two soft fingers, which press discs of 4 mm flat."""
+    candidates = make_candidates(box_object, "40", 0.5, seed=0).twisting(patch=0.004)
+    return plan(GraspProblem(box_object, make_task("gravity", box_object), candidates, fingers=2))
+
+
 @pytest.fixture
 def golden_file(golden_grasp: Grasp, tmp_path: Path) -> Path:
     """The golden grasp as a file of its own."""

@@ -90,7 +90,7 @@ class Candidates:
         left = replace(self, contacts=self.contacts.subset(indices), part=self.part[indices], facet=self.facet[indices])
         return left.chosen(**how)
 
-    def twisting(self, torsion: float | None, patch: float | None) -> "Candidates":
+    def twisting(self, torsion: float | None = None, patch: float | None = None) -> "Candidates":
         """The candidates with the torsional friction of the fingers; as they are where neither is given.
 
         Args:

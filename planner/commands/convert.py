@@ -15,8 +15,10 @@ HAND = ".npy"
 class Options:
     """Convert a grasp file; the ending of the output says to what.
 
-    .glb is a 3-D scene with the object, the contacts, their friction cones and the forces for one wrench.
-    .isaac.yaml (or .yaml) is an isaac_grasp file with one contact frame per fingertip.
+    .glb is a 3-D scene with the object, the contacts, their friction cones and the forces for one wrench,
+    and the torques of soft fingers.
+    .isaac.yaml (or .yaml) is an isaac_grasp file with one contact frame per fingertip; forces, torques
+    and friction, which that format does not know, stand beside it.
     .graspgen.json and .npy (DexGraspBench) hold whole hands, so fingertips are refused, with the reason.
 
     A DexGraspBench .npy can be converted to .isaac.yaml and, if it says whether it held, to .graspgen.json.
@@ -29,7 +31,7 @@ class Options:
     """The file to write."""
 
     wrench: Given[int] = None
-    """Number of the wrench whose forces to show, from 0 as in the file; by default the critical one."""
+    """Number of the wrench whose forces and torques to show, from 0 as in the file; by default the critical one."""
 
     object: Given[Path] = None
     """Where the object's file is now, if it has moved."""

@@ -37,11 +37,11 @@ class Options(ObjectOptions):
     friction_error: float = 0.0
     """Share by which the coefficients may be smaller or larger, for example 0.2; rho then holds for all of them."""
 
-    torsion: float | None = None
+    torsion: Given[float] = None
     """Torsional friction of every contact in metres: the most torque about the normal over the normal force. Two
     fingers need it. By default each geom's own where its condim is 4 or more, else none."""
 
-    patch: float | None = None
+    patch: Given[float] = None
     """Or the radius in metres of the disc that every fingertip presses flat, for example 0.004: torsional friction is
     then 2/3 friction x radius, that of even pressure."""
 

@@ -2,6 +2,7 @@
 
 The hand's configurations are rows of seven numbers for its base (position, quaternion w, x, y, z) and then one per
 joint, all in the frame of `obj_pose`. A fingertip grasp cannot be written so: it has neither base nor joints.
+Nor has the format a place for friction, forces or torques: its simulation has its own friction, of condim 4.
 """
 
 from pathlib import Path

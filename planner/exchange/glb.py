@@ -1,14 +1,17 @@
-"""A grasp as a 3-D scene in one GLB file: the object, its contacts with their friction cones, and forces.
+"""A grasp as a 3-D scene in one GLB file: the object, its contacts with their friction cones, forces and torques.
 
-Body frame, metres. Forces are drawn to scale: rho is FORCE_LENGTH of the object's size.
+Body frame, metres. Forces are drawn to scale: rho is FORCE_LENGTH of the object's size. So are the torques of soft
+fingers, arcs about the normals: a FULL_TURN is the most torque that a finger pressing with rho holds.
 """
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import trimesh
 
 from planner.arrays import Floats
+from planner.contacts import contact_frames
 from planner.errors import GraspFileError
 from planner.files.atomic_write import write_atomically
 from planner.grasps.grasp import Grasp
@@ -21,17 +24,29 @@ CONE_HEIGHT = 0.1
 FORCE_LENGTH = 0.4
 """Length of a force arrow of rho, relative to the object's size."""
 
+SHAFT = 0.006
+"""Radius of arrows and arcs, relative to the object's size."""
+
+TORQUE_RADIUS, TORQUE_AT = 0.05, 0.16
+"""Radius of a torque's arc, and how far outside the contact it stands, relative to the object's size."""
+
+FULL_TURN, ARC_PIECES = 1.4 * np.pi, 32
+"""The longest arc [rad], and of how many rods it is made."""
+
+LEAST_TURN = 1e-3
+"""Part of it that is still drawn."""
+
 OBJECT_COLOR, CONE_COLOR, FORCE_COLOR = (170, 180, 195, 140), (240, 190, 60, 150), (200, 40, 40, 255)
 """Red, green, blue, opacity."""
 
 
 def grasp_scene(rigid_object: Graspable, grasp: Grasp, wrench: int) -> trimesh.Scene:
-    """The object, a friction cone inside each contact, and the forces that balance one wrench of the task.
+    """The object, a friction cone inside each contact, and the forces and torques that balance one wrench of the task.
 
     Args:
         rigid_object: What is grasped; a planar object is shown as a slab.
         grasp: The grasp.
-        wrench: Which wrench's forces to draw.
+        wrench: Which wrench's forces and torques to draw.
 
     Raises:
         GraspFileError: When the grasp has no contacts or no such wrench.
@@ -54,7 +69,14 @@ def grasp_scene(rigid_object: Graspable, grasp: Grasp, wrench: int) -> trimesh.S
         _add(scene, f"cone/{finger}", cone, CONE_COLOR)
         pushed = FORCE_LENGTH * size * force / grasp.rho
         if pushed.any():
-            _add(scene, f"force/{finger}", _arrow(point, pushed, 0.006 * size), FORCE_COLOR)
+            _add(scene, f"force/{finger}", _arrow(point, pushed, SHAFT * size), FORCE_COLOR)
+    largest = float((contacts.torsions * contacts.strengths).max()) * grasp.rho
+    for finger, (point, normal, torque) in enumerate(
+        zip(contacts.points, contacts.normals, grasp.torques[wrench].tolist(), strict=True)
+    ):
+        if abs(torque) > LEAST_TURN * largest:
+            turned = _arc(point - TORQUE_AT * size * normal, np.sign(torque) * normal, abs(torque) / largest, size)
+            _add(scene, f"torque/{finger}", turned, FORCE_COLOR)
     return scene
 
 
@@ -97,3 +119,15 @@ def _arrow(tip: Floats, force: Floats, radius: float) -> trimesh.Trimesh:
     transform[:3, 3] = tip
     arrow.apply_transform(transform)
     return arrow
+
+
+def _arc(center: Floats, axis: Floats, share: float, size: float) -> trimesh.Trimesh:
+    """A part of a full arc about a unit axis, right-handed, with a head; `size` is the object's."""
+    _, first, second = contact_frames(axis[None])[0].T
+    angles = np.linspace(0, share * FULL_TURN, 1 + max(1, round(share * ARC_PIECES)))
+    circle = np.outer(np.cos(angles), first) + np.outer(np.sin(angles), second)
+    points = center + TORQUE_RADIUS * size * circle
+    rods = [trimesh.creation.cylinder(radius=SHAFT * size, segment=ends, sections=12) for ends in pairwise(points)]
+    length = min(5 * SHAFT, TORQUE_RADIUS * share * FULL_TURN) * size
+    heading = np.cross(axis, circle[-1])
+    return trimesh.util.concatenate([*rods, _arrow(points[-1] + length * heading, length * heading, SHAFT * size)])

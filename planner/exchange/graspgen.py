@@ -2,7 +2,8 @@
 
 A fingertip grasp cannot be written in it. The format pairs every single gripper pose with one truth value; a fingertip
 alone does not hold the object, so `true` would be false, and `false` would teach that the contact is a bad one.
-A hand's grasp can be, once a simulation has said whether it holds.
+A hand's grasp can be, once a simulation has said whether it holds. Friction, torsional friction, forces and torques
+have no place in the format.
 """
 
 import json

@@ -8,7 +8,8 @@ A fingertip grasp has no gripper and no joints, so what is written is exactly th
 - `cspace_position` and `pregrasp_cspace_position` are empty: there are no joints;
 - `confidence` is lower_bound / rho: one for a grasp proven best among its candidates.
 
-Everything else (friction, forces, rho) stands under the key `rhograsp`, which the importer ignores.
+Everything else (friction, forces, rho; of soft fingers torsion and torque) has no place in the format. It stands under
+the key `rhograsp`, which the importer ignores.
 """
 
 from pathlib import Path
@@ -51,21 +52,31 @@ def write_fingertips(path: Path, rigid_object: Graspable, grasp: Grasp, wrench: 
     frames = zip(names, contacts.points, quaternions, strict=True)
     confidence = grasp.lower_bound / grasp.rho
     entries: dict[str, Value] = {name: _entry(confidence, point, turn, {}, {}) for name, point, turn in frames}
-    fingers = zip(
-        names, contacts.friction.tolist(), contacts.strengths.tolist(), grasp.forces[shown].tolist(), strict=True
-    )
     ours: dict[str, Value] = {
         "note": NOTE,
         "rho": grasp.rho,
         "lower_bound": grasp.lower_bound,
         "wrench": grasp.task.wrenches[shown].tolist(),
         "reference_point": grasp.task.reference_point.tolist(),
-        "fingers": {
-            name: {"friction": friction, **({} if strength == 1 else {"strength": strength}), "force": force}
-            for name, friction, strength, force in fingers
-        },
+        "fingers": {name: _finger(grasp, shown, finger) for finger, name in enumerate(names)},
     }
     _write(path, grasp.body, FINGERTIP_FRAME, entries, ours)
+
+
+def _finger(grasp: Grasp, wrench: int, finger: int) -> dict[str, Value]:
+    """What a finger can do and does under a wrench; strength is left out where it is 1, and of a hard finger torsion
+    [m] and the torque about the inward normal [N m]."""
+    contacts = grasp.contacts
+    friction, strength, torsion = (
+        float(values[finger]) for values in (contacts.friction, contacts.strengths, contacts.torsions)
+    )
+    return {
+        "friction": friction,
+        **({"torsion": torsion} if torsion else {}),
+        **({} if strength == 1 else {"strength": strength}),
+        "force": grasp.forces[wrench, finger].tolist(),
+        **({"torque": float(grasp.torques[wrench, finger])} if torsion else {}),
+    }
 
 
 def write_hand(path: Path, hand: HandGrasp) -> None:

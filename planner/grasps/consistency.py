@@ -67,6 +67,8 @@ def check_agreement(document: GraspDocument, grasp: Grasp) -> None:
     _agree("phi", grasp.phi, (np.linalg.norm(grasp.forces, axis=2) / grasp.contacts.strengths).max(axis=1))
     _agree("rho", np.array(document.rho, dtype=float), grasp.phi.max())
     _agree("gap", np.array(document.gap, dtype=float), np.array(relative_gap(grasp.rho, grasp.lower_bound)))
+    if grasp.torques[:, grasp.contacts.torsions == 0].any():
+        raise GraspFileError("a torque is given at a contact without torsional friction: edited?")
     if document.critical_wrench != grasp.critical_wrench:
         raise GraspFileError(
             f"critical_wrench is {document.critical_wrench}; phi is largest at {grasp.critical_wrench}"

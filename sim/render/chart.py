@@ -1,4 +1,7 @@
-"""The measurement itself: slip over time on a logarithmic scale, with the line that a held fingertip stays under."""
+"""The measurement itself: slip over time on a logarithmic scale, with the line that a held fingertip stays under.
+
+Soft fingertips spin too: theirs is drawn where it is more, in the unit in which a hold allows as much of both.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -29,19 +32,22 @@ class Chart:
     bottom: float
     protocol: ValidationProtocol
 
-    def draw(self, sheet: Sheet, times: Floats, slips: Sequence[Floats], colors: Sequence[str], step: int) -> None:
+    soft: bool
+    """Whether some fingertips have torsional friction."""
+
+    def draw(self, sheet: Sheet, times: Floats, gone: Sequence[Floats], colors: Sequence[str], step: int) -> None:
         """Draw axes, and curves up to one step.
 
         Args:
             sheet: Where to draw.
             times: Of every step, shape (steps,) [s].
-            slips: Of every simulation, relative to R0, each of shape (steps,); the first is drawn on top.
+            gone: Of every simulation, see `gone` in `recording`, each of shape (steps,); the first is drawn on top.
             colors: Of every simulation's curve.
             step: The last that is known.
         """
         self._slip_axis(sheet)
         self._time_axis(sheet)
-        for values, color in reversed(list(zip(slips, colors, strict=True))):
+        for values, color in reversed(list(zip(gone, colors, strict=True))):
             known = zip(times[: step + 1], values[: step + 1], strict=True)
             points = [(self._column(time), self._row(slip)) for time, slip in known]
             if len(points) > 1:
@@ -58,7 +64,8 @@ class Chart:
         for column in np.arange(self.left, self.right, 2 * DASH).tolist():
             sheet.line([(column, row), (min(column + DASH, self.right), row)], 1.0, SLIPPED)
         sheet.text(self.left + 6, row - 7, f"slipped: above {allowed:g}", SMALL, SLIPPED)
-        sheet.text(self.left, self.top - 11, f"largest slip of a fingertip / R0, {WHAT_R0_IS}", SMALL, INK)
+        spin = f", or spin / {self.protocol.spin_tolerance / allowed:g} rad" if self.soft else ""
+        sheet.text(self.left, self.top - 11, f"largest slip of a fingertip / R0, {WHAT_R0_IS}{spin}", SMALL, INK)
 
     def _time_axis(self, sheet: Sheet) -> None:
         protocol = self.protocol

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from planner.arrays import Floats
 from planner.objects.rigid_object import RigidObject
 from sim.render.recording import Recording
+from sim.scene.fingertips import TORQUE
 
 VISIBLE = 0.1
 """How far the object's outermost point should move in the picture, relative to its size."""
@@ -45,6 +46,9 @@ class DrawnPose:
 
     forces: Floats
     """Measured forces on the object in the last AVERAGED steps, turned with it, shape (contacts, 3) [N]."""
+
+    torques: Floats
+    """Measured torques on the object about these normals in the same steps, shape (contacts,) [N m]."""
 
 
 def motion_factor(recording: Recording, rigid_object: RigidObject) -> int:
@@ -95,7 +99,8 @@ def drawn_pose(recording: Recording, step: int, simulation: int, factor: float) 
     centers = scene.contacts.points - scene.tip_radius * normals
     gone = rotation.inv().apply(centers + displacements[step] - positions[step]) - centers
     tips = drawn.apply(centers + factor * gone) + factor * positions[step]
-    measured = [recording.forces(past, simulation) for past in range(max(0, step + 1 - AVERAGED), step + 1)]
+    past = range(max(0, step + 1 - AVERAGED), step + 1)
+    measured = [recording.forces(each, simulation) for each in past]
     return DrawnPose(
         position=factor * positions[step],
         rotation=drawn.as_matrix(),
@@ -103,4 +108,5 @@ def drawn_pose(recording: Recording, step: int, simulation: int, factor: float) 
         contacts=tips + scene.tip_radius * drawn.apply(normals),
         normals=drawn.apply(normals),
         forces=drawn.apply(rotation.inv().apply(np.mean(measured, axis=0))),
+        torques=recording.readings[past, simulation, :, TORQUE].mean(axis=0),
     )

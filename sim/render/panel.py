@@ -15,7 +15,18 @@ from sim.render.extent import extent
 from sim.render.load import placed_load
 from sim.render.outline import visible_edges
 from sim.render.palette import BACKGROUND, CONE, EDGE, FORCE, GHOST, TIP, rgb
-from sim.render.proportions import ARROW, CONE_HEIGHT, CONE_OPACITY, LABEL_DEPTH, LEAST_FORCE, SHAFT
+from sim.render.proportions import (
+    ARC_ROD,
+    ARROW,
+    BEYOND,
+    CONE_HEIGHT,
+    CONE_OPACITY,
+    LABEL_DEPTH,
+    LEAST_FORCE,
+    SHAFT,
+    TWIST,
+    twists,
+)
 from sim.render.recording import Recording
 from sim.render.shadow import fallen, soft_shadow
 from sim.render.sight import open_to
@@ -27,7 +38,7 @@ EDGE_WIDTH = 1 / 360
 """Of the picture's height."""
 GLOW = 0.35
 """How much of a hidden arrow is seen through the object and the cones."""
-GEOMS_PER_FINGER, GEOMS_PER_LOAD = 5, 60
+GEOMS_PER_FINGER, GEOMS_PER_LOAD = 60, 60
 """Shapes that are drawn for a finger and for the load, at most."""
 ABOVE = 0.02
 """How far outside the contact one looks for what hides it, relative to the object's size."""
@@ -137,22 +148,28 @@ class Panel:
             annotations.cone(mesh, contact, -normal, CONE_HEIGHT * self._size, CONE, CONE_OPACITY)
 
     def _draw_arrows(self, annotations: Annotations, pose: DrawnPose, share: float) -> None:
-        """Fingertips with their forces, which end at the contacts, and the load."""
-        size, radius = self._size, self._recording.experiment.scene.tip_radius
+        """Fingertips with their forces, which end at the contacts, their torques beyond the cones, and the load."""
+        size, scene = self._size, self._recording.experiment.scene
         for tip, contact, force in zip(pose.tips, pose.contacts, pose.forces, strict=True):
-            annotations.sphere(tip, radius, TIP)
+            annotations.sphere(tip, scene.tip_radius, TIP)
             if np.linalg.norm(force) > LEAST_FORCE:
                 annotations.arrow(contact, ARROW * size * force, SHAFT * size, FORCE)
+        for contact, normal, twist in zip(
+            pose.contacts, pose.normals, twists(pose.torques, scene.contacts).tolist(), strict=True
+        ):
+            if abs(twist) > LEAST_FORCE:
+                center, axis = contact - BEYOND * size * normal, np.sign(twist) * normal
+                annotations.turn(center, axis, abs(twist), TWIST * size, ARC_ROD * size, FORCE)
         self._load.draw(annotations, pose.position, share)
 
     def _extent(self) -> Floats:
         """Points that must be in the picture, shape (n, 3) [m]: everything at the end, and where it was planned."""
         recording = self._recording
-        corners, friction = self._triangles.reshape(-1, 3), recording.experiment.scene.contacts.friction
+        corners, contacts = self._triangles.reshape(-1, 3), recording.experiment.scene.contacts
         points = [corners]
         for simulation in range(len(recording.trial.caps)):
             pose = drawn_pose(recording, recording.steps - 1, simulation, self.factor)
-            points.append(extent(corners, friction, pose, self._load))
+            points.append(extent(corners, contacts, pose, self._load))
         return np.concatenate(points)
 
     def _labels(self, pose: DrawnPose, triangles: Floats) -> list[Label]:

@@ -10,9 +10,10 @@ from planner.errors import SettingError
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render.chart import Chart
+from sim.render.friction_words import friction_words
 from sim.render.palette import BACKGROUND, CONE, FORCE, HELD, INK, LINE, LOAD, MUTED, SLIPPED, rgb
 from sim.render.panel import Label, Panel
-from sim.render.recording import Recording, known_outcome
+from sim.render.recording import Recording, gone, known_outcome
 from sim.render.sheet import HIGH, Sheet
 
 LEAST, MOST = (640, 360), (3840, 2160)
@@ -45,10 +46,9 @@ class Heading:
 def heading_of(name: str, grasp: Grasp, recording: Recording) -> Heading:
     """The words above the pictures of a grasp."""
     critical = recording.wrench == grasp.critical_wrench
-    friction = sorted(set(grasp.contacts.friction.tolist()))
     details = [
         f"{len(grasp.contacts)} fingers",
-        "friction " + " to ".join(f"{mu:g}" for mu in dict.fromkeys((friction[0], friction[-1]))),
+        friction_words(grasp.contacts),
         f"{'critical wrench' if critical else 'wrench'} {recording.wrench} of {len(grasp.phi)}",
         f"rho = {grasp.rho:.4g} N",
         *([] if critical else [f"phi = {recording.need:.4g} N"]),
@@ -82,6 +82,7 @@ class Picture:
         """
         _check(size, direction)
         self.size, self.recording, self._heading = size, recording, heading
+        self._soft = bool(recording.experiment.grasp.contacts.torsions.any())
         self._measured = [recording.measured(simulation) for simulation in range(len(recording.trial.caps))]
         width, height = size
         self._top = round(HEADER * height / HIGH)
@@ -124,12 +125,12 @@ class Picture:
     def _caption(self, sheet: Sheet, simulation: int, step: int, x: float) -> None:
         """Cap, slip, and the outcome as soon as it is known."""
         recording, measured = self.recording, self._measured[simulation]
-        cap, slip = float(measured.caps[0]), float(measured.slip[step])
+        cap = float(measured.caps[0])
         words = f"cap {cap / recording.need:g} {self._heading.need} = {cap:.4g} N"
         width = sheet.text(x, 64, words, 17, INK)
         if word := known_outcome(measured, step, recording.experiment.protocol):
             sheet.pill(x + width + 12, 64, word.upper(), 12, HELD if word == "held" else SLIPPED)
-        sheet.text(x, 84, f"slip {slip:.2g} R0", 12, MUTED)
+        sheet.text(x, 84, recording.slip_words(measured, step), 12, MUTED)
 
     def _chart(self, sheet: Sheet, step: int) -> None:
         recording = self.recording
@@ -139,9 +140,11 @@ class Picture:
             right=sheet.wide - EDGE - NOTES - 36,
             bottom=HIGH - 26,
             protocol=recording.experiment.protocol,
+            soft=self._soft,
         )
         colors = [HELD if held else SLIPPED for held in recording.measurement.held]
-        chart.draw(sheet, recording.times, [measured.slip for measured in self._measured], colors, step)
+        curves = [gone(measured, chart.protocol) for measured in self._measured]
+        chart.draw(sheet, recording.times, curves, colors, step)
 
     def _notes(self, sheet: Sheet, step: int) -> None:
         """What the picture shows, beside the chart."""
@@ -153,7 +156,8 @@ class Picture:
         )
         if self.panel.has_edges:
             sheet.text(x, y + 38, "thin lines: where it was planned", 12, MUTED)
-        for color, words in ((FORCE, "measured force"), (LOAD, "load"), (CONE, "cone")):
+        force = "force and torque" if self._soft else "measured force"
+        for color, words in ((FORCE, force), (LOAD, "load"), (CONE, "cone")):
             sheet.dot(x + 4, y + 57, 4, color, 0.45 if color == CONE else 1.0)
             x += sheet.text(x + 12, y + 57, words, 12, MUTED) + 24
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from planner.arrays import Floats
-from planner.contacts import contact_frames
+from planner.contacts import Contacts, contact_frames
 
 ARROW = 0.34
 """Length of an arrow of rho, relative to the object's size, as on the report page."""
@@ -14,7 +14,7 @@ HEAD_RADIUS, HEAD_LENGTH = 2.5, 6.0
 LARGEST_HEAD = 0.6
 """Part of a short arrow that is head."""
 LEAST_FORCE = 1e-3
-"""A smaller force is not drawn, relative to rho."""
+"""A smaller force is not drawn, relative to rho, nor a torque, relative to a full arc."""
 FULL_TURN = 1.4 * np.pi
 """Arc of a full moment [rad]."""
 ARC_PIECES = 40
@@ -23,6 +23,10 @@ ARC_ROD = 0.85 * SHAFT
 """Their radius, relative to the object's size."""
 SHORT = 4.0
 """The head of an arc shorter than a SHORTth part of the full one shrinks with it."""
+TWIST = 0.06
+"""Radius of the arc of a finger's torque, relative to the object's size, as on the report page."""
+BEYOND = 0.24
+"""How far outside its contact it stands, beyond the friction cone's mouth, relative to the object's size."""
 CONE_HEIGHT = 0.2
 """Height of a friction cone, relative to the object's size, as on the report page."""
 CONE_OPACITY = 0.24
@@ -48,6 +52,19 @@ def arc(axis: Floats, share: float, size: float) -> tuple[Floats, Floats]:
     angles = np.linspace(0, share * FULL_TURN, 1 + max(1, round(share * ARC_PIECES)))
     points = size * (np.outer(np.cos(angles), first) + np.outer(np.sin(angles), second))
     return points, np.cos(angles[-1]) * second - np.sin(angles[-1]) * first
+
+
+def twists(torques: Floats, contacts: Contacts) -> Floats:
+    """Parts of a full arc that torques are drawn with, signed, shape (contacts,).
+
+    A full arc is the most that a finger pressing with rho holds, max gamma s rho, as a full arrow is rho.
+
+    Args:
+        torques: About the inward normals, shape (contacts,) [N m]; the newton is rho.
+        contacts: Where they act.
+    """
+    full = float((contacts.torsions * contacts.strengths).max())
+    return torques / full if full else np.zeros_like(torques)
 
 
 def arc_head(share: float, radius: float) -> tuple[float, float]:

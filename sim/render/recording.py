@@ -77,12 +77,18 @@ class Recording:
 
     def summary(self) -> list[str]:
         """What happened, one line per simulation."""
-        measured = self.measurement
+        measured, protocol = self.measurement, self.experiment.protocol
+        ends = zip(measured.caps, measured.held, gone(measured, protocol), strict=True)
         return [
             f"wrench {self.wrench} with the cap at {cap / self.need:g} of the {self.need:.5g} N it needs: "
-            f"{outcome(held, slip, self.experiment.protocol)}; slip {slip:.2g} R0"
-            for cap, held, slip in zip(measured.caps, measured.held, measured.slip, strict=True)
+            f"{outcome(held, slip, protocol)}; {self.slip_words(measured, row)}"
+            for row, (cap, held, slip) in enumerate(ends)
         ]
+
+    def slip_words(self, measured: Measurement, row: int) -> str:
+        """The largest slip of one simulation, and where there are soft fingers their largest spin."""
+        spin = f" · spin {measured.spin[row]:.2g} rad" if self.experiment.grasp.contacts.torsions.any() else ""
+        return f"slip {measured.slip[row]:.2g} R0{spin}"
 
     def motion(self, simulation: int) -> tuple[Floats, Floats, Floats]:
         """Where everything was before each step: positions, shape (steps, 3) [m], and rotations (w, x, y, z), shape
@@ -140,17 +146,25 @@ class Recording:
 
 def known_outcome(measured: Measurement, step: int, protocol: ValidationProtocol) -> str:
     """How a simulation, judged after every step, has ended by one of them, in a word; empty while that is open."""
-    slip = float(measured.slip[step])
+    slip = float(gone(measured, protocol)[step])
     if slip < protocol.slip_tolerance and step < len(measured.held) - 1:
         return ""
     return outcome(bool(measured.held[step]), slip, protocol)
 
 
 def outcome(held: bool, slip: float, protocol: ValidationProtocol) -> str:
-    """How a simulation ended, in a word."""
+    """How a simulation ended, in a word; see `gone` for the slip."""
     if held:
         return "held"
     return "slipped" if slip >= protocol.slip_tolerance else "lost"
+
+
+def gone(measured: Measurement, protocol: ValidationProtocol) -> Floats:
+    """The largest slip over R0, or the largest spin where that is more of what a hold allows, shape (simulations,).
+
+    A spin counts as the slip that is the same part of its tolerance.
+    """
+    return np.maximum(measured.slip, measured.spin * (protocol.slip_tolerance / protocol.spin_tolerance))
 
 
 def record(

@@ -10,6 +10,7 @@ const triple = (values) => `(${values.map((x) => number(x, 3)).join(", ")})`;
 const loadWords = (wrench) => `force ${triple(data.wrenches[wrench].slice(0, 3))} N · moment `
   + `${triple(data.wrenches[wrench].slice(3))} N m`;
 const unequal = data.contacts.some((contact) => contact.strength !== 1); // then the fingers' strengths are shown
+const soft = data.contacts.some((contact) => contact.torsion > 0); // then their torques are shown
 const title = () => el("h1", {}, data.object.body, el("small", {}, `${data.file} · ${data.object.file}`));
 
 function headline() {
@@ -96,14 +97,15 @@ function drawBars(position) {
   pen.fillText("rho", width, 15);
 }
 
-/** Of one finger under one wrench: its force, and what share of the friction it uses. */
+/** Of one finger under one wrench: its force, its torque where fingers twist, and the share of friction they use. */
 function fingerRow(wrench, finger) {
   const contact = data.contacts[finger], force = data.forces[wrench][finger], color = colorOf(finger);
-  const normal = dot(force, contact.normal), along = length(plus(force, contact.normal, -normal));
-  const used = normal > 1e-9 * data.rho ? along / (contact.friction * normal) : 0;
+  const normal = dot(force, contact.normal), rubbing = length(plus(force, contact.normal, -normal));
+  const torque = data.torques[wrench][finger], twist = torque === 0 ? 0 : torque / contact.torsion;
+  const used = normal > 1e-9 * data.rho ? Math.hypot(rubbing / contact.friction, twist) / normal : 0;
   const cap = contact.strength * data.rho;
   const row = [badge(finger), metered(length(force) / cap, color, `${number(length(force), 4)} N`),
-    metered(used, color, percent(used, 0))];
+    ...(soft ? [number(1000 * torque, 3)] : []), metered(used, color, percent(used, 0))];
   if (measured && measured.vertices.length) {
     const seen = measured.vertices[wrench].fingers[finger];
     row.push(`${number(seen.predicted_force, 4)} N`, `${number(seen.measured_force, 4)} N`);
@@ -120,17 +122,24 @@ function show(position) {
   document.getElementById("chosen").replaceChildren(el("b", {}, `wrench ${wrench}`), el("span", {}, rank),
     el("span", {}, `φ = ${number(data.phi[wrench])} N`));
   document.getElementById("load").textContent = loadWords(wrench);
-  const heads = ["", "planned force", "friction used"];
+  const heads = ["", "planned force", ...(soft ? ["torque [N\u00a0mm]"] : []), "friction used"];
   if (measured && measured.vertices.length) heads.push("commanded", "in MuJoCo");
   document.getElementById("fingers").replaceChildren(
     table(heads, data.contacts.map((_, finger) => fingerRow(wrench, finger))));
 }
 
+/** What the columns mean where fingers twist. */
+function twisting() {
+  if (!soft) return [];
+  return [el("p", { class: "muted" }, "Torques τ are about the inward normals. Rubbing and twisting share one cone: the "
+    + "friction used is √((f_t / μ)² + (τ / γ)²) / f_n, of the tangential force f_t and the normal force f_n.")];
+}
+
 function contactPanel() {
-  const heads = ["", "x, y, z [mm]", "friction", ...(unequal ? ["strength"] : []), "on"];
+  const heads = ["", "x, y, z [mm]", "friction", ...(soft ? ["torsion γ [mm]"] : []), ...(unequal ? ["strength"] : []), "on"];
   return section("Contacts", table(heads, data.contacts.map((contact, i) => [badge(i),
     contact.position.map((x) => (1000 * x).toFixed(3)).join(", "), number(contact.friction, 3),
-    ...(unequal ? [number(contact.strength, 3)] : []), contact.geom])));
+    ...(soft ? [number(1000 * contact.torsion, 3)] : []), ...(unequal ? [number(contact.strength, 3)] : []), contact.geom])));
 }
 
 function validationPanel() {
@@ -176,7 +185,8 @@ function legend() {
     + `${number(data.object.mass, 3)} kg. `));
   if (found) {
     box.append("Arrows are the fingers' forces; a full one is rho. The cone around each holds all forces that do not "
-      + "slip. ", purple, " is the load they balance.");
+      + "slip. ", ...(soft ? ["Arcs are the fingers' torques about their normals; a full one is γ rho, the most that a "
+      + "finger pressing with rho can twist. "] : []), purple, " is the load they balance.");
   } else {
     box.append(`Dots are the ${count(data.search.candidates)} places where a finger might go. `);
     if (data.proof.hopeless_wrench !== null) box.append(purple, " is a load that none of them can balance.");
@@ -194,7 +204,7 @@ function candidateToggle() {
 }
 
 document.getElementById("panels").append(...(found ? [...headline(), ...wrenchPanel(),
-  ...section("Fingers under this wrench", el("div", { id: "fingers" })), ...contactPanel(), ...validationPanel()]
+  ...section("Fingers under this wrench", el("div", { id: "fingers" }), ...twisting()), ...contactPanel(), ...validationPanel()]
   : absence()), ...searchPanel(), ...reproducePanel(), ...checkPanel());
 const scene = new Scene(document.getElementById("scene"));
 legend();

@@ -55,6 +55,7 @@ def report_data(
         "wrenches": task.wrenches.tolist(),
         "phi": grasp.phi.tolist(),
         "forces": grasp.forces.tolist(),
+        "torques": grasp.torques.tolist(),
         "rho": finite_or_none(grasp.rho),
         "grip": finite_or_none(grasp.grip),
         "lower_bound": grasp.lower_bound,
@@ -88,9 +89,9 @@ def hopeless_wrench(grasp: Grasp) -> int | None:
 
 def _contacts(grasp: Grasp) -> list[dict[str, Any]]:
     contacts = grasp.contacts
-    arrays = (contacts.points, contacts.normals, contacts.friction, contacts.strengths)
+    arrays = (contacts.points, contacts.normals, contacts.friction, contacts.torsions, contacts.strengths)
     columns = (*(array.tolist() for array in arrays), grasp.geoms)
-    names = ("position", "normal", "friction", "strength", "geom")
+    names = ("position", "normal", "friction", "torsion", "strength", "geom")
     return [dict(zip(names, values, strict=True)) for values in zip(*columns, strict=True)]
 
 

@@ -1,7 +1,8 @@
 "use strict";
 // The object in 3-D with its contacts, friction cones and the forces for one wrench: WebGL without any library.
 // Body frame, metres, z up. Forces arrive at the surface: an arrow ends at its contact, and the friction cone is drawn
-// mirrored to the outside, so that an arrow on the cone's mantle is a finger about to slide.
+// mirrored to the outside, so that an arrow on the cone's mantle is a finger about to slide. The torque of a finger that
+// twists is an arc about the cone's axis, beyond its mouth.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const found = data.contacts.length > 0;
@@ -10,6 +11,11 @@ const LOAD = "#6d28d9";
 const ARROW = 0.34; // length of an arrow of rho, and of the largest load, relative to the object's size
 const DOT = 5; // diameter of a candidate, in pixels of the page
 const CONE = 0.2; // height of a friction cone, relative to the object's size
+const TWIST = 0.06; // radius of a torque's arc, relative to the object's size
+const BEYOND = 0.24; // how far outside its contact it stands, relative to the object's size
+
+/** Of a finger whose normal force is rho times its strength [N m]: a full arc. */
+const MOST_TORQUE = Math.max(...data.contacts.map((contact) => contact.torsion * contact.strength)) * data.rho;
 
 const colorOf = (finger) => COLORS[finger % COLORS.length];
 const rgba = (hex, alpha = 1) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).concat(alpha);
@@ -65,21 +71,20 @@ const sphere = (center, radius) => revolved(center, [0, 0, 1], Array.from({ leng
   return [-radius * Math.cos(angle), radius * Math.sin(angle)];
 }), 48);
 
-/** An arc of three quarters about `axis` with a head that says which way it turns. */
-function turn(center, axis, size, radius) {
-  const [u, v] = across(axis);
+/** An arc about `axis`, a share of three quarters long, with a head that says which way it turns. */
+function turn(center, axis, share, size, radius) {
+  const [u, v] = across(axis), end = 1.4 * Math.PI * share, large = radius * Math.min(1, 4 * share);
   const at = (angle) => plus(plus(center, u, size * Math.cos(angle)), v, size * Math.sin(angle));
   const rings = Array.from({ length: 49 }, (_, k) => {
-    const angle = (1.4 * Math.PI * k) / 48;
+    const angle = (end * k) / 48;
     const outward = unit(plus(at(angle), center, -1));
     return Array.from({ length: 12 }, (_, j) => {
       const around = (2 * Math.PI * j) / 12;
       return plus(plus(at(angle), outward, radius * Math.cos(around)), axis, radius * Math.sin(around));
     });
   });
-  const end = 1.4 * Math.PI;
   const heading = unit(plus(scaled(u, -Math.sin(end)), v, Math.cos(end)));
-  return [skin(rings), revolved(at(end), heading, [[0, 0], [0, 2.8 * radius], [6.5 * radius, 0]])];
+  return [skin(rings), revolved(at(end), heading, [[0, 0], [0, 2.8 * large], [6.5 * large, 0]])];
 }
 
 const VERTEX = `
@@ -167,13 +172,19 @@ class Scene {
     const shapes = (found ? data.forces[wrench] : []).map((f, i) => [f, data.contacts[i].position, colorOf(i)])
       .filter(([f]) => length(f) > 1e-6 * data.rho)
       .map(([f, point, color]) => [arrow(point, scaled(f, long / data.rho), thin), color]);
+    (found ? data.torques[wrench] : []).forEach((torque, i) => {
+      const { position, normal } = data.contacts[i], share = Math.abs(torque) / MOST_TORQUE;
+      if (!(share > 1e-3)) return;
+      const center = plus(position, normal, -BEYOND * data.size), axis = scaled(normal, Math.sign(torque));
+      shapes.push(...turn(center, axis, share, TWIST * data.size, 0.85 * thin).map((shape) => [shape, colorOf(i)]));
+    });
     if (length(force) > 0) {
       const drawn = scaled(force, long / most([0, 3]));
       shapes.push([arrow(plus(data.reference_point, drawn), drawn, thin), LOAD]);
     }
     if (length(moment) > 0) {
       const size = (0.03 + 0.09 * length(moment) / most([3, 6])) * data.size;
-      shapes.push(...turn(data.reference_point, unit(moment), size, 0.85 * thin).map((shape) => [shape, LOAD]));
+      shapes.push(...turn(data.reference_point, unit(moment), 1, size, 0.85 * thin).map((shape) => [shape, LOAD]));
     }
     this.moving = shapes.map(([shape, color]) => this.solid(shape, rgba(color)));
     this.draw();

@@ -1,11 +1,14 @@
 """What the page says beside the scene, as Markdown. Names come from files: they are shown elsewhere, as plain text."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from planner.arrays import Floats
-from planner.contact_models.friction_cone import utilisation
+from planner.contact_models.models import model_of
 from planner.grasps.grasp import Grasp
 from sim.render.drawn_motion import DrawnPose
+from sim.render.friction_words import friction_words
 from sim.report.report_data import plain_status
 from sim.view.playback import Playback
 from sim.view.subject import Subject
@@ -13,11 +16,9 @@ from sim.view.subject import Subject
 
 def about(grasp: Grasp) -> str:
     """The grasp in two lines."""
-    friction = sorted({float(mu) for mu in grasp.contacts.friction})
-    friction_words = " to ".join(f"{mu:g}" for mu in dict.fromkeys((friction[0], friction[-1])))
     gap = f"{grasp.gap:.2%}" if np.isfinite(grasp.gap) else "open"
     return (
-        f"{len(grasp.contacts)} fingers · friction {friction_words} · {len(grasp.phi)} wrenches\n\n"
+        f"{len(grasp.contacts)} fingers · {friction_words(grasp.contacts)} · {len(grasp.phi)} wrenches\n\n"
         f"**rho = {grasp.rho:.4g} N** ({plain_status(grasp)}, gap {gap})"
     )
 
@@ -33,24 +34,25 @@ def asked(subject: Subject, wrench: int) -> str:
 
 
 def planned_forces(subject: Subject, wrench: int) -> str:
-    """Every finger's planned force and how much of its friction that takes."""
-    return _table(subject, ["planned force · share of friction"], [subject.planned(wrench)])
+    """Every finger's planned force, the torque of soft ones, and how much of its friction they take."""
+    return _table(subject, [f"planned {_what(subject)} · share of friction"], [subject.planned(wrench)])
 
 
 def measured_forces(playback: Playback, poses: list[DrawnPose]) -> str:
     """The same as MuJoCo measures it in every simulation."""
     recording = playback.recording
     table = _table(playback.subject, [f"cap {cap:.4g} N" for cap in recording.measurement.caps], poses)
-    return f"{table}\n\nmeasured force · share of the finger's friction that it takes"
+    return f"{table}\n\nmeasured {_what(playback.subject)} · share of the finger's friction that is taken"
 
 
 def caption(playback: Playback, step: int, simulation: int) -> str:
     """Cap, slip and, as soon as it is known, the outcome of a simulation."""
     recording = playback.recording
-    cap, slip = float(recording.measurement.caps[simulation]), float(playback.slips[simulation][step])
+    cap, measured = float(recording.measurement.caps[simulation]), playback.measured[simulation]
     need = "rho" if recording.wrench == playback.subject.grasp.critical_wrench else "phi"
     known = playback.outcome(step, simulation)
-    return f"cap {cap / recording.need:g} {need} · slip {slip:.1g} R0" + (f" · {known.upper()}" if known else "")
+    slip = recording.slip_words(measured, step)
+    return f"cap {cap / recording.need:g} {need} · {slip}" + (f" · {known.upper()}" if known else "")
 
 
 def plain(text: str) -> str:
@@ -58,16 +60,26 @@ def plain(text: str) -> str:
     return "".join(letter if letter.isalnum() or letter == " " else f"&#{ord(letter)};" for letter in text)
 
 
+def _what(subject: Subject) -> str:
+    return "force · torque" if subject.contacts.torsions.any() else "force"
+
+
 def _table(subject: Subject, names: list[str], poses: list[DrawnPose]) -> str:
     rows = [["finger", *names], ["---"] * (len(names) + 1)]
-    friction = subject.grasp.contacts.friction
-    norms = [np.linalg.norm(pose.forces, axis=1) * subject.grasp.rho for pose in poses]
-    shares = [utilisation(pose.forces, pose.normals) / friction for pose in poses]
-    for finger in range(len(friction)):
-        cells = [f"{norm[finger]:.3g} N · {_percent(share[finger])}" for norm, share in zip(norms, shares, strict=True)]
-        rows.append([str(finger + 1), *cells])
-    lines = "\n".join(f"| {' | '.join(row)} |" for row in rows)
-    return lines
+    columns = [_cells(subject, pose) for pose in poses]
+    rows += [[str(finger), *cells] for finger, cells in enumerate(zip(*columns, strict=True), start=1)]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def _cells(subject: Subject, pose: DrawnPose) -> list[str]:
+    """Of every finger: its force, its torque where there are soft ones, and the share of its friction."""
+    contacts, units = replace(subject.contacts, normals=pose.normals), subject.units
+    norms = [f"{norm:.3g} N" for norm in (np.linalg.norm(pose.forces, axis=1) / units.force).tolist()]
+    torques = [f" · {1e3 * torque:.3g} N mm" for torque in (pose.torques / (units.force * units.length)).tolist()]
+    if not contacts.torsions.any():
+        torques = [""] * len(contacts)
+    shares = model_of(contacts).utilisation(pose.forces, pose.torques, contacts) / contacts.friction
+    return [f"{force}{torque} · {_percent(share)}" for force, torque, share in zip(norms, torques, shares, strict=True)]
 
 
 def _percent(share: float) -> str:

@@ -21,11 +21,13 @@ class Chart:
     def __init__(self, gui: viser.GuiApi, playback: Playback) -> None:
         protocol, held = playback.recording.experiment.protocol, playback.recording.measurement.held
         allowed = np.full(playback.last + 1, protocol.slip_tolerance)
-        slips = np.stack([*playback.slips, allowed])
+        slips = np.stack([*playback.gone, allowed])
         lowest, highest = EXPONENTS
         self._curves = (playback.recording.times, *np.log10(np.clip(slips, 10**lowest, 10**highest)))
         lines = [_line("held", HELD) if good else _line("slipped", SLIPPED) for good in held]
-        self._title = gui.add_markdown(f"log10 of the largest slip over R0, over time [s]; R0 is {WHAT_R0_IS}")
+        soft = playback.subject.contacts.torsions.any()
+        spin = f", or of the spin over {protocol.spin_tolerance / protocol.slip_tolerance:g} rad," if soft else ","
+        self._title = gui.add_markdown(f"log10 of the largest slip over R0{spin} over time [s]; R0 is {WHAT_R0_IS}")
         self._node = gui.add_uplot(
             data=self._known(0),
             series=({"label": "s"}, *lines, {"label": "limit", "stroke": INK, "width": 1, "dash": (4, 4)}),

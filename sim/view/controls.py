@@ -10,7 +10,10 @@ from sim.view.subject import Subject
 
 PLAN, TRIAL = "the plan", "the trial in MuJoCo"
 """What can be shown."""
-LEGEND = "orange: forces · violet: the wrench · blue: friction cones · thin lines: where a lost object was planned"
+LEGEND = (
+    "orange: forces and torques · violet: the wrench · blue: friction cones · "
+    "thin lines: where a lost object was planned"
+)
 
 
 class Controls:

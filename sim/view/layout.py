@@ -40,10 +40,10 @@ def plan_layout(subject: Subject, wrench: int) -> Layout:
 def trial_layout(playback: Playback, factor: float) -> Layout:
     """Both simulations, as they end, side by side as the camera sees them."""
     subject, load = playback.subject, playback.subject.load(playback.recording.wrench)
-    corners, friction = subject.triangles.reshape(-1, 3), subject.contacts.friction
+    corners, contacts = subject.triangles.reshape(-1, 3), subject.contacts
     simulations = range(len(playback.recording.trial.caps))
     poses = [playback.pose(playback.last, simulation, factor) for simulation in simulations]
-    ends = [extent(corners, friction, pose, load) for pose in poses]
+    ends = [extent(corners, contacts, pose, load) for pose in poses]
     points = np.concatenate([_planned_extent(subject, playback.recording.wrench), *ends])
     right = subject.direction.axes[0]
     shift = GAP * float(np.ptp(points @ right)) * right
@@ -52,7 +52,7 @@ def trial_layout(playback: Playback, factor: float) -> Layout:
 
 def _planned_extent(subject: Subject, wrench: int) -> Floats:
     corners = subject.triangles.reshape(-1, 3)
-    return extent(corners, subject.contacts.friction, subject.planned(wrench), subject.load(wrench))
+    return extent(corners, subject.contacts, subject.planned(wrench), subject.load(wrench))
 
 
 def _layout(subject: Subject, points: Floats, places: tuple[Floats, ...]) -> Layout:

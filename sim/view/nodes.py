@@ -12,11 +12,13 @@ from sim.render.palette import CONE, FORCE, LOAD, TIP, rgb
 from sim.render.proportions import (
     ARC_ROD,
     ARROW,
+    BEYOND,
     CONE_HEIGHT,
     CONE_OPACITY,
     LABEL_DEPTH,
     LEAST_FORCE,
     SHAFT,
+    TWIST,
     arc,
     arc_head,
     arrow_head,
@@ -62,8 +64,29 @@ class Arrow:
         self.node.visible = False
 
 
+class Turn:
+    """An arc with a head that says which way it turns."""
+
+    def __init__(self, scene: viser.SceneApi, name: str, color: str) -> None:
+        self.arc = scene.add_line_segments(f"{name}/arc", UNSHOWN, rgb(color), thickness=2 * ARC_ROD, visible=False)
+        self.head = Arrow(scene, f"{name}/head", color)
+
+    def show(self, center: Floats, axis: Floats, share: float, size: float, rod: float) -> None:
+        """A part of the full arc about a unit axis; `size` is its radius, `rod` that of its line."""
+        points, heading = arc(axis, share, size)
+        points = center + points
+        self.arc.points, self.arc.visible = np.stack([points[:-1], points[1:]], axis=1), True
+        length, radius = arc_head(share, rod)
+        self.head.show(points[-1] + length * heading, length * heading, rod, (length, radius))
+
+    def hide(self) -> None:
+        """Show none."""
+        self.arc.visible = False
+        self.head.hide()
+
+
 class Finger:
-    """A fingertip, its friction cone, its force and its number."""
+    """A fingertip, its friction cone, its force, its torque and its number."""
 
     def __init__(self, scene: viser.SceneApi, name: str, number: int, friction: float) -> None:
         self.tip = scene.add_icosphere(f"{name}/tip", radius=1.0, color=rgb(TIP))
@@ -79,9 +102,10 @@ class Finger:
             receive_shadow=False,
         )
         self.force = Arrow(scene, f"{name}/force", FORCE)
+        self.torque = Turn(scene, f"{name}/torque", FORCE)
         self.label = scene.add_label(f"{name}/number", str(number), anchor="center-center", font_screen_scale=LETTERS)
 
-    def show(self, tip: Floats, contact: Floats, frame: Floats, force: Floats) -> None:
+    def show(self, tip: Floats, contact: Floats, frame: Floats, force: Floats, twist: float) -> None:
         """Put it in place; as in the pictures, cones are outside, where the arrows are.
 
         Args:
@@ -89,6 +113,7 @@ class Finger:
             contact: Where it faces the object, shape (3,).
             frame: R_WC, its first column the inward normal, shape (3, 3).
             force: On the object, relative to rho, shape (3,).
+            twist: The torque on it about the inward normal, as a part of a full arc.
         """
         self.tip.position, self.tip.radius = tip, float(np.linalg.norm(contact - tip))
         self.cone.position, self.cone.wxyz = contact, quaternion(frame)
@@ -97,6 +122,10 @@ class Finger:
             self.force.show(contact, ARROW * force, SHAFT)
         else:
             self.force.hide()
+        if abs(twist) > LEAST_FORCE:
+            self.torque.show(contact - BEYOND * frame[:, 0], np.sign(twist) * frame[:, 0], abs(twist), TWIST, ARC_ROD)
+        else:
+            self.torque.hide()
 
 
 class Push:
@@ -104,8 +133,7 @@ class Push:
 
     def __init__(self, scene: viser.SceneApi, name: str) -> None:
         self.force = Arrow(scene, f"{name}/force", LOAD)
-        self.arc = scene.add_line_segments(f"{name}/moment", UNSHOWN, rgb(LOAD), thickness=2 * ARC_ROD, visible=False)
-        self.head = Arrow(scene, f"{name}/turn", LOAD)
+        self.moment = Turn(scene, f"{name}/moment", LOAD)
 
     def show(self, load: Load, shift: Floats, share: float) -> None:
         """A part of the load on an object that has moved by `shift`, shape (3,)."""
@@ -113,15 +141,11 @@ class Push:
             self.force.show(load.tip_at(share) + shift, share * load.force, SHAFT * load.size)
         else:
             self.force.hide()
-        self.arc.visible = bool(share > 0 and load.moment.any())
-        if not self.arc.visible:
-            self.head.hide()
-            return
-        points, heading = arc(load.moment / np.linalg.norm(load.moment), share, TURN * load.size)
-        points = load.center + shift + points
-        self.arc.points = np.stack([points[:-1], points[1:]], axis=1)
-        length, radius = arc_head(share, ARC_ROD * load.size)
-        self.head.show(points[-1] + length * heading, length * heading, ARC_ROD * load.size, (length, radius))
+        if share > 0 and load.moment.any():
+            axis = load.moment / np.linalg.norm(load.moment)
+            self.moment.show(load.center + shift, axis, share, TURN * load.size, ARC_ROD * load.size)
+        else:
+            self.moment.hide()
 
 
 def quaternion(rotation: Floats) -> Floats:

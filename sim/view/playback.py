@@ -5,7 +5,7 @@ from functools import cached_property
 
 from planner.arrays import Floats
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
-from sim.render.recording import Recording, known_outcome, record
+from sim.render.recording import Recording, gone, known_outcome, record
 from sim.trial.measurement import Measurement
 from sim.view.subject import Subject
 
@@ -33,15 +33,16 @@ class Playback:
         return tuple(self.recording.measured(simulation) for simulation in range(len(self.recording.trial.caps)))
 
     @property
-    def slips(self) -> list[Floats]:
-        """Largest slip of a fingertip over R0, of every simulation, after every step, each of shape (steps,)."""
-        return [measured.slip for measured in self.measured]
+    def gone(self) -> list[Floats]:
+        """How far the fingertips are gone, see `recording.gone`, of every simulation, each of shape (steps,)."""
+        return [gone(measured, self.recording.experiment.protocol) for measured in self.measured]
 
     def pose(self, step: int, simulation: int, factor: float = 1.0) -> DrawnPose:
         """Where everything is at a step, its motion so many times larger, and the measured forces."""
         pose = drawn_pose(self.recording, step, simulation, factor)
         scale = self.subject.units.length / self.recording.experiment.units.length
-        return replace(pose, position=scale * pose.position, tips=scale * pose.tips, contacts=scale * pose.contacts)
+        lengths = ("position", "tips", "contacts", "torques")
+        return replace(pose, **{name: scale * getattr(pose, name) for name in lengths})
 
     def share(self, step: int) -> float:
         """Part of the wrench that acts during a step."""

@@ -10,6 +10,7 @@ from planner.pictures.shaded_surface import shaded_surface
 from sim.render.drawn_motion import DrawnPose
 from sim.render.load import Load
 from sim.render.palette import EDGE, GHOST, OBJECT, rgb
+from sim.render.proportions import twists
 from sim.view.nodes import LETTERS, Finger, Push, quaternion
 from sim.view.subject import Subject
 
@@ -28,6 +29,7 @@ class ShownTrial:
             subject: Which object, with which contacts.
             name: Of the node that holds all others.
         """
+        self._contacts = subject.contacts
         self.root = scene.add_frame(f"/{name}", show_axes=False)
         self.object = scene.add_frame(f"/{name}/object", show_axes=False)
         self.surface = scene.add_mesh_trimesh(f"/{name}/object/surface", _surface(subject))
@@ -35,7 +37,7 @@ class ShownTrial:
         _edges(scene, f"/{name}/object/edges", subject.edges, EDGE)
         self.fingers = [
             Finger(scene, f"/{name}/finger {number}", number, friction)
-            for number, friction in enumerate(subject.contacts.friction.tolist(), start=1)
+            for number, friction in enumerate(self._contacts.friction.tolist(), start=1)
         ]
         self.load = Push(scene, f"/{name}/load")
         self.caption = scene.add_label(f"/{name}/caption", "", anchor="center-center", font_screen_scale=LETTERS)
@@ -43,9 +45,10 @@ class ShownTrial:
     def show(self, pose: DrawnPose, load: Load, share: float = 1.0) -> None:
         """Put everything where a pose has it, with a part of the load."""
         self.object.position, self.object.wxyz = pose.position, quaternion(pose.rotation)
-        columns = (pose.tips, pose.contacts, contact_frames(pose.normals), pose.forces)
-        for finger, tip, contact, frame, force in zip(self.fingers, *columns, strict=True):
-            finger.show(tip, contact, frame, force)
+        turned = twists(pose.torques, self._contacts).tolist()
+        columns = (pose.tips, pose.contacts, contact_frames(pose.normals), pose.forces, turned)
+        for finger, tip, contact, frame, force, twist in zip(self.fingers, *columns, strict=True):
+            finger.show(tip, contact, frame, force, twist)
         self.load.show(load, pose.position, share)
 
     def say(self, words: str, place: Floats) -> None:

@@ -82,6 +82,7 @@ class Subject:
             contacts=contacts.points,
             normals=contacts.normals,
             forces=self.grasp.forces[wrench] * self.units.force,
+            torques=self.grasp.torques[wrench] * self.units.force * self.units.length,
         )
 
 

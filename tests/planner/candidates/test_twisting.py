@@ -12,7 +12,7 @@ BRICK = rigid_object(box((0, 0, 0), (0.05, 0.03, 0.08)))
 
 
 def test_a_patch_has_two_thirds_of_friction_times_its_radius() -> None:
-    pads = make_candidates(BRICK, "30", 0.6).twisting(None, 0.004)
+    pads = make_candidates(BRICK, "30", 0.6).twisting(patch=0.004)
     assert pads.contacts.torsions == pytest.approx(np.full(30, 2 / 3 * 0.6 * 0.004))
     assert pads.choice is not None
     assert (pads.choice.torsion, pads.choice.patch) == (None, 0.004)

@@ -66,6 +66,24 @@ def test_isaac_files_tell_the_strength_of_a_finger_that_is_not_1(limited_grasp: 
     assert [finger.get("strength") for finger in fingers.values()] == [None, None, 0.5]
 
 
+def test_isaac_files_tell_torsion_and_torque_of_soft_fingers_alone(
+    golden_file: Path, soft_grasp: Grasp, tmp_path: Path
+) -> None:
+    path, out = tmp_path / "box.grasp.json", tmp_path / "box.isaac.yaml"
+    write_grasp(path, soft_grasp)
+    assert run("grasp-convert", path, "--out", out) == 0
+    ours = read_yaml(out.read_text())["rhograsp"]
+    fingers, contacts = list(ours["fingers"].values()), soft_grasp.contacts
+    assert [finger["torsion"] for finger in fingers] == pytest.approx(contacts.torsions.tolist())
+    forces = np.array([finger["force"] for finger in fingers])
+    moments = np.cross(contacts.points - np.array(ours["reference_point"]), forces).sum(axis=0)
+    twists = np.array([finger["torque"] for finger in fingers]) @ contacts.normals
+    np.testing.assert_allclose(moments + twists, -np.array(ours["wrench"][3:]), atol=1e-8)
+    assert np.linalg.norm(twists) > 1e-4  # so torques that are lost would be seen
+    assert run("grasp-convert", golden_file, "--out", out) == 0
+    assert not {"torsion", "torque"} & set(read_yaml(out.read_text())["rhograsp"]["fingers"]["finger_1"])
+
+
 STRANGE: Any = {'na"me: \\ #\n\u2028é': {"small": 1e-05, "list": [1e-300, -2.5e22, 3], "no": "1e5", "empty": {}}}
 
 

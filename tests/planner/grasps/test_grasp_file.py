@@ -215,6 +215,28 @@ def test_an_edited_file_is_refused(golden_file: Path, edit: Callable[[dict[str, 
         read_grasp(golden_file)
 
 
+def test_soft_fingers_and_their_torques_come_back(soft_grasp: Grasp, tmp_path: Path) -> None:
+    path = tmp_path / "box.grasp.json"
+    write_grasp(path, soft_grasp)
+    back = read_grasp(path)
+    for one, other in ((back.torques, soft_grasp.torques), (back.contacts.torsions, soft_grasp.contacts.torsions)):
+        assert one.any()
+        np.testing.assert_array_equal(one, other)
+    np.testing.assert_array_equal(back.certificate.candidates.torsions, soft_grasp.certificate.candidates.torsions)
+
+
+def test_a_torque_of_a_hard_finger_is_refused(golden_file: Path) -> None:
+    document = json.loads(golden_file.read_text())
+    assert document["torques"] is None
+    document["torques"] = [[0.0] * 3] * len(document["phi"])
+    golden_file.write_text(json.dumps(document))
+    assert not read_grasp(golden_file).torques.any()
+    document["torques"] = [[0.0, 1e-9, 0.0]] * len(document["phi"])
+    golden_file.write_text(json.dumps(document))
+    with pytest.raises(GraspFileError, match="a torque is given at a contact without torsional friction"):
+        read_grasp(golden_file)
+
+
 def lose_a_row(document: dict[str, Any]) -> None:
     del document["certificate"]["candidates"]["normals"][5]
 

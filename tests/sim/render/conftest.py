@@ -18,10 +18,26 @@ def recording(prism: RigidObject, golden_grasp: Grasp) -> Recording:
 
 
 @pytest.fixture(scope="package")
-def picture(prism: RigidObject, golden_grasp: Grasp, recording: Recording) -> Iterator[Picture]:
+def soft_recording(box_object: RigidObject, soft_grasp: Grasp) -> Recording:
+    """The same of the box between two soft fingers."""
+    return record(box_object, soft_grasp)
+
+
+@pytest.fixture(scope="package")
+def soft_picture(box_object: RigidObject, soft_grasp: Grasp, soft_recording: Recording) -> Iterator[Picture]:
     """Small pictures of that; skips where there is no OpenGL."""
+    yield from _pictures(box_object, soft_grasp, soft_recording)
+
+
+@pytest.fixture(scope="package")
+def picture(prism: RigidObject, golden_grasp: Grasp, recording: Recording) -> Iterator[Picture]:
+    """Small pictures of the golden grasp; skips where there is no OpenGL."""
+    yield from _pictures(prism, golden_grasp, recording)
+
+
+def _pictures(rigid_object: RigidObject, grasp: Grasp, recording: Recording) -> Iterator[Picture]:
     try:
-        picture = Picture(prism, recording, heading_of("prism", golden_grasp, recording), (640, 360))
+        picture = Picture(rigid_object, recording, heading_of(grasp.body, grasp, recording), (640, 360))
     except RenderingError as error:
         pytest.skip(f"no OpenGL here: {error}")
     with picture:

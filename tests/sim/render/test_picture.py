@@ -2,6 +2,7 @@
 
 import colorsys
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,10 +14,14 @@ from planner.errors import OutputError, RenderingError, SettingError
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.render import film
+from sim.render.drawn_motion import drawn_pose
+from sim.render.extent import extent
 from sim.render.film import FORMATS, Format, Frames, film_steps, format_of
 from sim.render.palette import BACKGROUND, FORCE, HELD, LOAD, OBJECT, SLIPPED, rgb
 from sim.render.picture import Picture, heading_of
+from sim.render.proportions import ARC_ROD, BEYOND, TWIST, arc, arc_head
 from sim.render.recording import Recording
+from sim.scene.fingertips import TORQUE
 
 LAST = 549
 
@@ -75,6 +80,39 @@ def test_the_picture_has_its_size_and_says_how_it_ended(picture: Picture) -> Non
     assert like(right, SLIPPED, 0.02).sum() > 100 and like(right, HELD).sum() == 0
     early = np.asarray(picture.draw(100))[30:55]
     assert like(early, HELD).sum() == like(early, SLIPPED, 0.02).sum() == 0
+
+
+def test_the_arcs_of_torques_are_in_the_picture(soft_picture: Picture, picture: Picture) -> None:
+    """Without them, the same picture has fewer pixels of their colour; a hard grasp's is the same."""
+    for shown, fewer in ((soft_picture, True), (picture, False)):
+        panel, last = shown.panel, shown.recording.steps - 1
+        with_arcs = panel.draw(last, 0)[0]
+        readings = shown.recording.readings.copy()
+        readings[..., TORQUE] = 0.0
+        panel._recording = replace(shown.recording, readings=readings)
+        without = panel.draw(last, 0)[0]
+        panel._recording = shown.recording
+        assert ((like(with_arcs, FORCE) & ~like(without, FORCE)).sum() > 40) == fewer
+        assert (with_arcs == without).all() != fewer
+
+
+def test_what_must_be_in_the_picture_bounds_the_arcs_of_soft_fingers_alone(soft_picture: Picture) -> None:
+    """Where hardly any force is drawn and the cones are narrow: seen from anywhere, nothing lies outside."""
+    panel, recording = soft_picture.panel, soft_picture.recording
+    contacts, corners = recording.experiment.scene.contacts, panel._triangles.reshape(-1, 3)
+    pose = drawn_pose(recording, 0, 0, 1.0)
+    pose = replace(pose, forces=0 * pose.forces)
+    narrow = replace(contacts, friction=np.full(len(contacts), 0.05))
+    soft, hard = (extent(corners, each, pose, panel._load) for each in (narrow, replace(narrow, torsion=None)))
+    arcs = []
+    for contact, normal in zip(pose.contacts, pose.normals, strict=True):
+        points, heading = arc(normal, 1.0, TWIST)
+        tip = points[-1] + arc_head(1.0, ARC_ROD)[0] * heading
+        arcs.append(contact + panel._size * (np.vstack([points, tip]) - BEYOND * normal))
+    seen = np.random.default_rng(0).normal(size=(3, 500))
+    farthest = (np.concatenate(arcs) @ seen).max(axis=0)
+    assert (farthest <= (soft @ seen).max(axis=0)).all()
+    assert (farthest > (hard @ seen).max(axis=0)).any()
 
 
 @pytest.mark.slow
@@ -142,6 +180,11 @@ def test_pictures_that_cannot_be_read_are_refused(
 ) -> None:
     with pytest.raises(SettingError, match=message):
         Picture(prism, recording, heading_of("x", golden_grasp, recording), size, direction)
+
+
+def test_a_soft_grasp_says_its_torsion(soft_grasp: Grasp, soft_recording: Recording) -> None:
+    heading = heading_of("box", soft_grasp, soft_recording)
+    assert heading.details.startswith("2 fingers · friction 0.5 · torsion 1.33 mm · critical wrench")
 
 
 def test_a_long_name_is_shortened_and_another_wrench_is_not_called_critical(

@@ -16,7 +16,8 @@ from planner.objects.rigid_object import RigidObject
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import make_task
-from sim.render.recording import FAR, Recording, outcome, record
+from sim.render.drawn_motion import drawn_pose
+from sim.render.recording import FAR, Recording, gone, known_outcome, outcome, record
 from sim.trial.protocol import ACTIVE
 from tests.strategies.planar_grasps import planned
 
@@ -95,6 +96,38 @@ def test_another_wrench_is_shown_around_what_it_needs_itself(
     assert not replace(recording, need=1.05 * recording.need).as_predicted
     assert "held; slip" in shown.summary()[0] and "slipped; slip" in shown.summary()[1]
     assert outcome(False, 0.0, ACTIVE) == "lost"
+
+
+def test_a_spin_counts_as_the_slip_that_is_as_much_of_what_a_hold_allows(recording: Recording) -> None:
+    rows = recording.measurement
+    np.testing.assert_array_equal(gone(rows, ACTIVE), rows.slip)  # hard fingers spin as they like
+    for part in (0.99, 1.01):
+        spins = np.full_like(rows.slips, part * ACTIVE.spin_tolerance)
+        spinning = replace(rows, slips=0 * rows.slips, spins=spins, held=np.full(2, part < 1))
+        assert gone(spinning, ACTIVE) == pytest.approx(part * ACTIVE.slip_tolerance)
+        assert known_outcome(spinning, 0, ACTIVE) == ("" if part < 1 else "slipped")
+
+
+def test_a_soft_grasp_is_held_and_lost_by_its_torques_too(soft_recording: Recording) -> None:
+    """The torques that MuJoCo reads are those of balance, about the inward normals."""
+    assert soft_recording.as_predicted
+    held, lost = (soft_recording.measured(simulation) for simulation in (0, 1))
+    last = soft_recording.steps - 1
+    drawn = drawn_pose(soft_recording, last, 0, 1.0).torques
+    expected = soft_recording.trial.torques[0]
+    assert np.abs(expected).min() > 1e-3  # of the newton metre of the experiment: a sign that is lost would be seen
+    np.testing.assert_allclose(drawn, expected, atol=0.1 * np.abs(expected).max())
+    assert not drawn_pose(soft_recording, 0, 0, 1.0).torques.any()
+    protocol = soft_recording.experiment.protocol
+    assert held.spin.max() < protocol.spin_tolerance < lost.spin[-1]
+    assert "spin" in soft_recording.summary()[1]
+    assert known_outcome(held, last, protocol) == "held"
+    assert not any(known_outcome(held, step, protocol) for step in range(last))
+
+
+def test_hard_fingers_twist_nothing(recording: Recording) -> None:
+    assert not drawn_pose(recording, 549, 0, 1.0).torques.any()
+    assert not any("spin" in line for line in recording.summary())
 
 
 def test_a_wrench_that_cannot_be_shown_is_refused(prism: RigidObject, golden_grasp: Grasp) -> None:

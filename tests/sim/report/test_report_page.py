@@ -13,6 +13,7 @@ import pytest
 from planner.candidates.candidates import CandidateChoice
 from planner.candidates.choice import make_candidates
 from planner.candidates.listed import listed_candidates
+from planner.contact_models.models import model_of
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp, TraceLine
 from planner.objects.object_file import read_object_file
@@ -133,6 +134,73 @@ def test_a_browser_shows_the_grasp_and_the_slider_changes_the_forces(
     forces = np.linalg.norm(golden_grasp.forces[golden_grasp.critical_wrench], axis=1)
     assert [float(value) for value in re.findall(r"([\d.]+) N", seen["forces"])] == pytest.approx(forces, rel=1e-3)
     assert seen["forces"] != seen["lastForces"]
+
+
+TORQUES = """
+const texts = (row) => [...row.children].map((cell) => cell.textContent);
+const rows = [...document.querySelectorAll("#fingers tr")].map(texts);
+const radius = 0.01, axis = [0, 0.6, 0.8];
+const arcs = [0.1, 0.5, 1].map((share) => turn([1, 2, 3], axis, share, 0.5, radius).map((skin) => [...skin]));
+const drawn = pixels(), wrench = Number(document.body.dataset.wrench), moving = scene.moving.length;
+data.torques[wrench].fill(0);
+scene.show(wrench);
+tell(JSON.stringify({ rows, arcs, moving, still: scene.moving.length, arcsPixels: differ(drawn, pixels()),
+  error: scene.gl.getError(), words: document.getElementById("panels").textContent,
+  legend: document.getElementById("legend").textContent }));
+"""
+
+
+def seen_torques(page: Path, rigid_object: RigidObject, grasp: Grasp, profile: Path) -> dict[str, Any]:
+    """What a browser shows of the fingers' torques."""
+    write_report(page, rigid_object, grasp, "box.grasp.json")
+    told = visit(with_script(page, PIXELS + TORQUES), profile=profile)
+    assert told.console == ()
+    seen: dict[str, Any] = json.loads(told.told)
+    assert seen["error"] == 0
+    return seen
+
+
+def test_the_torques_of_soft_fingers_are_told_and_drawn(
+    box_object: RigidObject, soft_grasp: Grasp, tmp_path: Path
+) -> None:
+    seen = seen_torques(tmp_path / "box.html", box_object, soft_grasp, tmp_path / "profile")
+    wrench, contacts = soft_grasp.critical_wrench, soft_grasp.contacts
+    head, *rows = seen["rows"]
+    assert head == ["", "planned force", "torque [N\u00a0mm]", "friction used"]
+    torques = soft_grasp.torques[wrench]
+    assert (np.abs(torques) > 1e-4).all()
+    assert [float(row[2]) for row in rows] == pytest.approx(1000 * torques, rel=5e-3)
+    used = model_of(contacts).utilisation(soft_grasp.forces[wrench], torques, contacts) / contacts.friction
+    assert [float(row[3].removesuffix(" %")) for row in rows] == pytest.approx(100 * used, abs=0.5)
+    assert seen["moving"] == seen["still"] + 2 * len(torques)  # an arc and its head for every torque
+    assert seen["arcsPixels"] > 500
+    assert says(seen["words"], "Rubbing and twisting share one cone.*torsion γ .mm.")
+    assert "Arcs are the fingers' torques" in seen["legend"]
+
+
+def test_hard_fingers_have_no_torques_on_the_page(prism: RigidObject, golden_grasp: Grasp, tmp_path: Path) -> None:
+    seen = seen_torques(tmp_path / "prism.html", prism, golden_grasp, tmp_path / "profile")
+    assert seen["rows"][0] == ["", "planned force", "friction used"]
+    assert (seen["moving"], seen["arcsPixels"]) == (seen["still"], 0)
+    assert not says(seen["words"], "torsion|torque|twist")
+    assert "torque" not in seen["legend"]
+
+
+def test_an_arc_turns_right_handed_about_its_axis_and_is_as_long_as_its_share(
+    box_object: RigidObject, soft_grasp: Grasp, tmp_path: Path
+) -> None:
+    seen = seen_torques(tmp_path / "box.html", box_object, soft_grasp, tmp_path / "profile")
+    axis, center = np.array([0, 0.6, 0.8]), np.array([1, 2, 3])
+    for share, (tube, head) in zip((0.1, 0.5, 1.0), seen["arcs"], strict=True):
+        places = np.array(tube).reshape(-1, 6)[:, :3] - center
+        assert np.linalg.norm(places, axis=1) == pytest.approx(0.5, abs=0.011)
+        assert places @ axis == pytest.approx(0, abs=0.011)
+        start, stop = places[:6].mean(axis=0), places[-6:].mean(axis=0)
+        across = np.cross(axis, start)
+        angle = np.arctan2(stop @ across, stop @ start) % (2 * np.pi)
+        assert angle == pytest.approx(1.4 * np.pi * share, abs=0.1)
+        tip = np.array(head).reshape(-1, 6)[:, :3] - center
+        assert (tip @ np.cross(axis, stop)).max() > 0.01  # the head points on
 
 
 def with_log(grasp: Grasp, lines: int) -> Grasp:

@@ -21,6 +21,12 @@ def prism_subject(prism: RigidObject, golden_grasp: Grasp) -> Subject:
 
 
 @pytest.fixture(scope="package")
+def soft_subject(box_object: RigidObject, soft_grasp: Grasp) -> Subject:
+    """The box between two soft fingers."""
+    return subject("box", box_object, soft_grasp)
+
+
+@pytest.fixture(scope="package")
 def playback(prism_subject: Subject) -> Playback:
     """The trial of its critical wrench."""
     return play_back(prism_subject, prism_subject.grasp.critical_wrench)

@@ -8,7 +8,7 @@ from sim.render.drawn_motion import AVERAGED
 from sim.trial.schedule import fractions
 from sim.view.captions import about, asked, caption, measured_forces, plain, planned_forces
 from sim.view.layout import ASPECT, Layout, plan_layout, trial_layout
-from sim.view.playback import Playback
+from sim.view.playback import Playback, play_back
 from sim.view.player import SLOWER, Player
 from sim.view.subject import Subject
 
@@ -64,6 +64,33 @@ def test_tables_say_force_and_share_of_friction_of_every_finger(prism_subject: S
     assert "rho: the critical wrench" in asked(prism_subject, grasp.critical_wrench)
     assert "critical" not in asked(prism_subject, 0)
     assert f"**rho = 0.669 N** (optimal, gap {100 * grasp.gap:.1g}%)" in about(grasp)
+
+
+def test_soft_fingers_say_torque_and_the_share_of_the_one_cone(soft_subject: Subject, prism_subject: Subject) -> None:
+    grasp, contacts = soft_subject.grasp, soft_subject.grasp.contacts
+    assert "2 fingers · friction 0.5 · torsion 1.33 mm · 72 wrenches" in about(grasp)
+    for wrench in (grasp.critical_wrench, 0):
+        said = planned_forces(soft_subject, wrench)
+        assert "| finger | planned force · torque · share of friction |" in said
+        for normal, force, torque in zip(contacts.normals, grasp.forces[wrench], grasp.torques[wrench], strict=True):
+            along = force @ normal
+            rubbing = np.linalg.norm(force - along * normal)
+            share = np.sqrt((rubbing / 0.5) ** 2 + (torque / (2 / 3 * 0.5 * 0.004)) ** 2) / along
+            assert f"| {np.linalg.norm(force):.3g} N · {1000 * torque:.3g} N mm · {share:.0%} |" in said
+            assert share > rubbing / (0.5 * along) + 0.01  # the torque counts
+    assert "torque" not in planned_forces(prism_subject, 0) + about(prism_subject.grasp)
+
+
+def test_a_trial_of_soft_fingers_measures_the_same(soft_subject: Subject) -> None:
+    shown = play_back(soft_subject, soft_subject.grasp.critical_wrench)
+    pose = shown.pose(shown.last, 0)
+    units, contacts = soft_subject.units, soft_subject.grasp.contacts
+    torques = pose.torques / (units.force * units.length)
+    assert np.abs(torques).max() < 1.03 * contacts.torsions.max() * soft_subject.grasp.rho
+    assert np.abs(torques).min() > 0.1 * contacts.torsions.max() * soft_subject.grasp.rho
+    assert f"{1000 * torques[0]:.3g} N mm" in measured_forces(shown, [pose])
+    assert "spin" in caption(shown, shown.last, 1) and "SLIPPED" in caption(shown, shown.last, 1)
+    assert caption(shown, shown.last, 0).endswith("HELD")
 
 
 def test_a_message_cannot_become_markup() -> None:

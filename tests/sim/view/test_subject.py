@@ -26,15 +26,17 @@ def test_contacts_and_forces_are_those_of_the_grasp_file(golden_file: Path) -> N
         np.testing.assert_allclose(file.rho * pose.forces, file.forces[wrench], atol=1e-12)
 
 
-def test_the_forces_balance_the_load_that_is_drawn(prism_subject: Subject) -> None:
+@pytest.mark.parametrize("name", ["prism_subject", "soft_subject"])
+def test_the_forces_and_torques_balance_the_load_that_is_drawn(name: str, request: pytest.FixtureRequest) -> None:
     """Against the wrench in the view's own units, with nothing of the grasp map."""
-    grasp, size = prism_subject.grasp, prism_subject.rigid_object.size
+    shown: Subject = request.getfixturevalue(name)
+    grasp, size = shown.grasp, shown.rigid_object.size
     for wrench, (force, moment) in enumerate(grasp.task.wrenches.reshape(-1, 2, 3)):
-        pose = prism_subject.planned(wrench)
+        pose = shown.planned(wrench)
         np.testing.assert_allclose(pose.forces.sum(axis=0), -force / grasp.rho, atol=1e-6)
-        turned = np.cross(pose.contacts, pose.forces).sum(axis=0)
+        turned = np.cross(pose.contacts, pose.forces).sum(axis=0) + pose.torques @ pose.normals
         np.testing.assert_allclose(turned, -moment / (grasp.rho * size), atol=1e-6)
-        load = prism_subject.load(wrench)
+        load = shown.load(wrench)
         np.testing.assert_allclose(np.cross(load.force, force), 0, atol=1e-12)
         assert load.force @ force > 0
         np.testing.assert_allclose(load.moment, moment / (grasp.rho * size))

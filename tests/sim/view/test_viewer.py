@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from planner.arrays import Floats
 from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.view.subject import Subject, subject
@@ -14,8 +15,7 @@ from tests.strategies.planar_grasps import planned
 
 pytest.importorskip("viser", reason="the live view needs the extra viz")
 
-from planner.arrays import Floats
-from sim.render.proportions import ARROW, CONE_HEIGHT
+from sim.render.proportions import ARROW, BEYOND, CONE_HEIGHT, FULL_TURN, LEAST_FORCE, TWIST
 from sim.view.controls import PLAN, TRIAL
 from sim.view.viewer import Viewer
 
@@ -57,6 +57,33 @@ def test_the_slider_shows_the_forces_of_the_grasp_file(server: "Server", prism_s
     ask(viewer.controls._critical, True)
     viewer.refresh(0.04)
     assert viewer.controls.wrench == grasp.critical_wrench
+
+
+def test_torques_are_arcs_about_the_normals_that_turn_as_they_do(
+    server: "Server", soft_subject: Subject, prism_subject: Subject
+) -> None:
+    viewer, grasp = Viewer(server, [soft_subject, prism_subject]), soft_subject.grasp
+    viewer.refresh(0.0)
+    turns = set()
+    for wrench in (grasp.critical_wrench, int(np.abs(grasp.torques).max(axis=1).argmin())):
+        ask(viewer.controls._wrench, wrench)
+        viewer.refresh(0.04)
+        for number, finger in enumerate(viewer.trials[0].fingers):
+            share = grasp.torques[wrench, number] / (grasp.contacts.torsions[number] * grasp.rho)
+            assert finger.torque.arc.visible == finger.torque.head.node.visible == (abs(share) > LEAST_FORCE)
+            if abs(share) < LEAST_FORCE:
+                continue
+            normal = soft_subject.contacts.normals[number]
+            arms = finger.torque.arc.points - soft_subject.contacts.points[number] + BEYOND * normal
+            np.testing.assert_allclose(np.linalg.norm(arms, axis=2), TWIST, rtol=1e-5)
+            np.testing.assert_allclose(arms @ normal, 0, atol=1e-6)
+            sines = np.cross(arms[:, 0], arms[:, 1]) @ normal / TWIST**2
+            assert np.arcsin(sines).sum() == pytest.approx(FULL_TURN * share, rel=1e-3)
+            turns.add(bool(share > 0))
+    assert turns == {True, False}  # so a sign that is lost would be seen
+    ask(viewer.controls._grasp, viewer.controls._grasp.options[1])
+    viewer.refresh(0.04)
+    assert not any(finger.torque.arc.visible for finger in viewer.trials[0].fingers)
 
 
 def test_cones_stand_on_the_contacts_open_as_wide_as_friction_allows(server: "Server", prism_subject: Subject) -> None:
@@ -137,7 +164,8 @@ def test_a_wrench_that_needs_no_force_has_a_plan_and_a_reason_for_no_trial(
 ) -> None:
     task = replace(golden_grasp.task, wrenches=np.vstack([golden_grasp.task.wrenches, np.zeros(6)]))
     forces = np.concatenate([golden_grasp.forces, np.zeros((1, 3, 3))])
-    idle = replace(golden_grasp, task=task, phi=np.append(golden_grasp.phi, 0.0), forces=forces)
+    torques, phi = np.vstack([golden_grasp.torques, np.zeros(3)]), np.append(golden_grasp.phi, 0.0)
+    idle = replace(golden_grasp, task=task, phi=phi, forces=forces, torques=torques)
     viewer = Viewer(server, [subject("idle", prism, idle)])
     viewer.refresh(0.0)
     ask(viewer.controls._wrench, 64)
