@@ -16,7 +16,7 @@ from planner.limits.restricted import Restricted, removals
 from planner.millimetres import LEAST, in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
-from planner.objects.plausibility import candidate_doubts
+from planner.objects.plausibility import candidate_doubts, torsion_doubts
 from planner.objects.rigid_object import RigidObject
 from planner.search.result import Status
 from planner.task import Task
@@ -54,7 +54,7 @@ class Report:
         if problem.kinds.candidates.contacts.torsions.any():
             self._say(f"torsion     {_torsion(problem)}")
         self._kinds(problem.kinds)
-        self._choice(len(problem.allowed.candidates), fingers)
+        self._choice(problem)
 
     def _as_read(self, rigid_object: Graspable) -> None:
         """Mass properties that are given, joints that are frozen, and parts that are only obstacles."""
@@ -91,9 +91,10 @@ class Report:
                 f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
             )
 
-    def _choice(self, candidates: int, fingers: int) -> None:
-        """Whether there is much to choose from."""
-        for doubt in candidate_doubts(candidates, fingers):
+    def _choice(self, problem: GraspProblem) -> None:
+        """Whether there is much to choose from, and whether fingers can twist like that."""
+        few = candidate_doubts(len(problem.allowed.candidates), problem.fingers)
+        for doubt in [*few, *torsion_doubts(problem.rigid_object, problem.kinds.candidates.contacts)]:
             logger.warning("%s", doubt)
 
     def _kinds(self, kinds: Kinds) -> None:
@@ -107,11 +108,11 @@ class Report:
                 f"{share.candidates} candidates"
             )
 
-    def grasp(self, grasp: Grasp, out: Path) -> None:
-        """The outcome and where it was written."""
+    def grasp(self, grasp: Grasp, out: Path, with_pads: Grasp | None = None) -> None:
+        """The outcome, what pads would do where two hard fingers fail, and where it was written."""
         self._say()
         if grasp.status is Status.INFEASIBLE:
-            self._infeasible(grasp)
+            self._infeasible(grasp, with_pads)
         elif not grasp.found:
             more = "" if grasp.status is Status.UNRESOLVED else "; allow more time"
             self._say(f"no grasp found yet{more} ({grasp.status})")
@@ -147,7 +148,7 @@ class Report:
             softer = f", torsion {in_mm(torsion, 3)} mm" if differ else ""
             self._say(f"contact {number}   {position} mm on {geom}{stronger}{softer}")
 
-    def _infeasible(self, grasp: Grasp) -> None:
+    def _infeasible(self, grasp: Grasp, with_pads: Grasp | None) -> None:
         self._say(
             f"infeasible  proven: no {grasp.search.fingers} of the {grasp.search.candidates} candidates resist "
             f"the task with less than {grasp.lower_bound:.3g} N per finger"
@@ -155,7 +156,7 @@ class Report:
         self._checked(grasp)
         for reason in reasons(grasp):
             self._say(f"because     {reason}")
-        for remedy in remedies(grasp):
+        for remedy in remedies(grasp, with_pads):
             self._say(f"may help    {remedy}")
 
     def _checked(self, grasp: Grasp) -> None:
