@@ -8,7 +8,7 @@ import numpy as np
 from planner.arrays import Floats, Indices
 from planner.contact_models.soft_finger import torsion_of_patch
 from planner.contacts import ALLOWED_FRICTION, Contacts, possible_friction
-from planner.errors import CandidateError, ContactError
+from planner.errors import CandidateError, ContactError, RhograspError
 from planner.files.source_file import SourceFile
 from planner.objects.graspable import Graspable
 from planner.objects.surface.coincident import parts_through
@@ -73,6 +73,9 @@ class Candidates:
     moved: float = 0.0
     """How far listed points were moved onto the surface, at most [m]."""
 
+    friction_error: float = 0.0
+    """By what share the coefficients may be smaller or larger; the contacts have the smallest."""
+
     def __len__(self) -> int:
         return len(self.part)
 
@@ -91,27 +94,32 @@ class Candidates:
         return left.chosen(**how)
 
     def twisting(self, torsion: float | None = None, patch: float | None = None) -> "Candidates":
-        """The candidates with the torsional friction of the fingers; as they are where neither is given.
+        """The candidates with the torsional friction of the fingers, see `contacts_twisting`; their choice says so."""
+        if torsion is None and patch is None:
+            return self
+        return replace(self, contacts=self.contacts_twisting(torsion, patch)).chosen(torsion=torsion, patch=patch)
+
+    def contacts_twisting(self, torsion: float | None, patch: float | None) -> Contacts:
+        """The contacts with the torsional friction of the fingers; as they are where neither is given.
 
         Args:
-            torsion: gamma of every contact [m].
+            torsion: gamma of every contact, less the friction error [m].
             patch: Or the radius a of the disc that every fingertip presses flat [m]: gamma = 2/3 mu a.
 
         Raises:
             CandidateError: If both are given, or one is negative, too large, or for a planar object.
         """
-        if torsion is None and patch is None:
-            return self
-        given = [f"{name} {value:g}" for name, value in (("torsion", torsion), ("patch", patch)) if value is not None]
-        if len(given) > 1:
-            raise CandidateError(f"{' and '.join(given)} both say how the fingers resist turning; give one of them")
-        friction = self.contacts.friction
-        gamma = np.full(len(self), torsion) if patch is None else torsion_of_patch(patch, friction)
+        require_one_torsion(torsion, patch, CandidateError)
+        if torsion is not None:
+            name, gamma = f"torsion {torsion:g}", np.full(len(self), torsion * (1 - self.friction_error))
+        elif patch is not None:
+            name, gamma = f"patch {patch:g}", torsion_of_patch(patch, self.contacts.friction)
+        else:
+            return self.contacts
         try:
-            contacts = replace(self.contacts, torsion=gamma if gamma.any() else None)
+            return replace(self.contacts, torsion=gamma if gamma.any() else None)
         except ContactError as error:
-            raise CandidateError(f"{given[0]} m: {error}") from error
-        return replace(self, contacts=contacts).chosen(torsion=torsion, patch=patch)
+            raise CandidateError(f"{name} m: {error}") from error
 
     def least_friction(self, error: float) -> "Candidates":
         """The candidates with the smallest coefficients of an uncertain friction, mu (1 - error) and gamma (1 - error).
@@ -131,7 +139,7 @@ class Candidates:
             )
         torsion = None if self.contacts.torsion is None else self.contacts.torsion * (1 - error)
         contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error), torsion=torsion)
-        return replace(self, contacts=contacts).chosen(friction_error=error)
+        return replace(self, contacts=contacts, friction_error=error).chosen(friction_error=error)
 
     def chosen(self, **how: Any) -> "Candidates":
         """The same candidates, with more known of how they were chosen.
@@ -140,6 +148,16 @@ class Candidates:
             how: Fields of `CandidateChoice`.
         """
         return self if self.choice is None else replace(self, choice=replace(self.choice, **how))
+
+
+def require_one_torsion(torsion: float | None, patch: float | None, error: type[RhograspError]) -> None:
+    """Refuse torsional friction said in two ways.
+
+    Raises:
+        RhograspError: Of the given kind, if both are given.
+    """
+    if torsion is not None and patch is not None:
+        raise error(f"torsion {torsion:g} and patch {patch:g} both say how fingers resist turning; give one of them")
 
 
 def candidates_at(

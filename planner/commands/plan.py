@@ -14,7 +14,7 @@ from planner.terminal.interruption import Interruption, interruption
 
 if TYPE_CHECKING:
     from planner.commands.plan_report import Report
-    from planner.grasp_problem import GraspRequest
+    from planner.grasp_problem import GraspProblem, GraspRequest
     from planner.grasps.grasp import Grasp
     from planner.objects.object_source import ObjectSource
     from planner.terminal.search_log import SearchLog
@@ -130,6 +130,7 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     console.show("loading MuJoCo and the solvers")
     from planner.commands.plan_report import Report
     from planner.commands.plan_summary import plan_summary
+    from planner.commands.with_pads import planned_with_pads
     from planner.files.atomic_write import require_writable  # here: the help must not wait for MuJoCo
     from planner.grasps.grasp_file import SUFFIX, numbered, write_grasp
     from planner.search.result import Status
@@ -140,14 +141,15 @@ def plan_command(options: Options, console: Console, command: str | None = None)
     require_writable(out)
     report, ending = Report(console), interruption()
     with SearchLog(console, options.log_json, ending) as log:
-        grasps = _plan(options, out.parent, report, log, console, ending)
+        problem, grasps = _plan(options, out.parent, report, log, console, ending)
         ending.keep()
         files = [numbered(out, number) for number in range(1, len(grasps) + 1)]
         for file, each in zip(files, grasps, strict=True):
             write_grasp(file, replace(each, command=command))
         grasp = grasps[0]
         log.end(grasp.status)
-    report.grasp(grasp, out)
+    with_pads = None if console.quiet else planned_with_pads(problem, grasp, ending.left, ending)
+    report.grasp(grasp, out, with_pads)
     report.others(grasps[1:], files[1:], options.apart)
     if options.json:
         write_json(console, plan_summary(grasps, files))
@@ -158,7 +160,7 @@ def plan_command(options: Options, console: Console, command: str | None = None)
 
 def _plan(
     options: Options, folder: Path, report: "Report", log: "SearchLog", console: Console, ending: Interruption
-) -> "tuple[Grasp, ...]":
+) -> "tuple[GraspProblem, tuple[Grasp, ...]]":
     """Pose the problem, say what it is, and search."""
     from planner.grasp_problem import pose_problem
     from planner.planning import plan_several
@@ -180,7 +182,7 @@ def _plan(
     report.problem(problem)
     log.header()
     search = replace(search, time_limit=ending.left)
-    return plan_several(problem, search, log.observe, log.asked(ending.asked))
+    return problem, plan_several(problem, search, log.observe, log.asked(ending.asked))
 
 
 def _decomposed(source: "ObjectSource", folder: Path, report: "Report", console: Console) -> "ObjectSource":

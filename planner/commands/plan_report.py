@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.candidates.candidates import Candidates
 from planner.candidates.confirmed import Confirmed
 from planner.counted import counted
@@ -16,7 +17,7 @@ from planner.limits.restricted import Restricted, removals
 from planner.millimetres import LEAST, in_mm, point_in_mm
 from planner.objects.given_mass import GivenMass
 from planner.objects.graspable import Graspable
-from planner.objects.plausibility import candidate_doubts
+from planner.objects.plausibility import candidate_doubts, torsion_doubts
 from planner.objects.rigid_object import RigidObject
 from planner.search.result import Status
 from planner.task import Task
@@ -46,15 +47,15 @@ class Report:
         self._as_read(rigid_object)
         self._say(f"task        {task.name}: {_wrenches(rigid_object, task)}")
         self._say(f"candidates  {len(candidates)}, friction {_friction(rigid_object, candidates)}; {fingers} fingers")
-        if candidates.contacts.torsions.any():
-            self._say(f"torsion     {_torsion(candidates)}")
         if candidates.moved > LEAST:
             self._say(f"moved       onto the surface by at most {in_mm(candidates.moved, 2)} mm")
         if problem.confirmed is not None:
             self._dropped(problem.confirmed)
         self._restricted(problem.allowed)
+        if problem.kinds.candidates.contacts.torsions.any():
+            self._say(f"torsion     {_torsion(problem)}")
         self._kinds(problem.kinds)
-        self._choice(len(problem.allowed.candidates), fingers)
+        self._choice(problem)
 
     def _as_read(self, rigid_object: Graspable) -> None:
         """Mass properties that are given, joints that are frozen, and parts that are only obstacles."""
@@ -91,24 +92,28 @@ class Report:
                 f"{removals(allowed.removed)}; {len(allowed.candidates)} are left"
             )
 
-    def _choice(self, candidates: int, fingers: int) -> None:
-        """Whether there is much to choose from."""
-        for doubt in candidate_doubts(candidates, fingers):
+    def _choice(self, problem: GraspProblem) -> None:
+        """Whether there is much to choose from, and whether fingers can twist like that."""
+        few = candidate_doubts(len(problem.allowed.candidates), problem.fingers)
+        for doubt in [*few, *torsion_doubts(problem.rigid_object, problem.kinds.candidates.contacts)]:
             logger.warning("%s", doubt)
 
     def _kinds(self, kinds: Kinds) -> None:
         """Fingers that differ, if they do."""
+        torsions = np.split(kinds.candidates.contacts.torsions, np.cumsum([share.candidates for share in kinds.kinds]))
         for kind, share in enumerate(kinds.kinds):
             names = ", ".join(str(1 + finger) for finger in np.flatnonzero(kinds.of_finger == kind))
+            twist = f", torsion {_spread_in_mm(torsions[kind])}" if torsions[kind].any() else ""
             self._say(
-                f"{'' if kind else 'fingers':11s} {names}: strength {share.strength:g}, {share.candidates} candidates"
+                f"{'' if kind else 'fingers':11s} {names}: strength {share.strength:g}{twist}, "
+                f"{share.candidates} candidates"
             )
 
-    def grasp(self, grasp: Grasp, out: Path) -> None:
-        """The outcome and where it was written."""
+    def grasp(self, grasp: Grasp, out: Path, with_pads: Grasp | None = None) -> None:
+        """The outcome, what pads would do where two hard fingers fail, and where it was written."""
         self._say()
         if grasp.status is Status.INFEASIBLE:
-            self._infeasible(grasp)
+            self._infeasible(grasp, with_pads)
         elif not grasp.found:
             more = "" if grasp.status is Status.UNRESOLVED else "; allow more time"
             self._say(f"no grasp found yet{more} ({grasp.status})")
@@ -135,13 +140,16 @@ class Report:
         self._checked(grasp)
         grip = grasp.grip
         self._say(f"grip        {grip:.6g} N: the largest normal force of a finger (what gripper catalogues state)")
-        contacts = zip(grasp.contacts.points, grasp.geoms, strengths, strict=True)
-        for number, (point, geom, strength) in enumerate(contacts, start=1):
+        torsions = grasp.contacts.torsions
+        differ = np.ptp(torsions) > 0
+        contacts = zip(grasp.contacts.points, grasp.geoms, strengths, torsions, strict=True)
+        for number, (point, geom, strength, torsion) in enumerate(contacts, start=1):
             position = " ".join(f"{1000 * coordinate:9.3f}" for coordinate in point)
             stronger = "" if strength == 1 else f", strength {strength:g}"
-            self._say(f"contact {number}   {position} mm on {geom}{stronger}")
+            softer = f", torsion {in_mm(torsion, 3)} mm" if differ else ""
+            self._say(f"contact {number}   {position} mm on {geom}{stronger}{softer}")
 
-    def _infeasible(self, grasp: Grasp) -> None:
+    def _infeasible(self, grasp: Grasp, with_pads: Grasp | None) -> None:
         self._say(
             f"infeasible  proven: no {grasp.search.fingers} of the {grasp.search.candidates} candidates resist "
             f"the task with less than {grasp.lower_bound:.3g} N per finger"
@@ -149,7 +157,7 @@ class Report:
         self._checked(grasp)
         for reason in reasons(grasp):
             self._say(f"because     {reason}")
-        for remedy in remedies(grasp):
+        for remedy in remedies(grasp, with_pads):
             self._say(f"may help    {remedy}")
 
     def _checked(self, grasp: Grasp) -> None:
@@ -200,16 +208,23 @@ def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
     return f"{spread} (the object's own)" if (friction == own).all() else spread
 
 
-def _torsion(candidates: Candidates) -> str:
-    """The torsional friction and where it comes from."""
-    torsions, choice = candidates.contacts.torsions, candidates.choice
-    least, most = torsions.min(), torsions.max()
-    spread = in_mm(least, 3) if least == most else f"{in_mm(least, 3)} to {in_mm(most, 3)}"
-    if choice is not None and choice.patch is not None:
+def _torsion(problem: GraspProblem) -> str:
+    """The torsional friction and who says so."""
+    choice, limits = problem.candidates.choice, problem.limits
+    if any(finger.torsion is not None or finger.patch is not None for finger in limits.fingers):
+        source = " (of the limits)"
+    elif choice is not None and choice.patch is not None:
         source = f", that of discs of {in_mm(choice.patch, 3)} mm radius, evenly pressed"
     else:
         source = "" if choice is not None and choice.torsion is not None else " (the object's own)"
-    return f"{spread} mm{source}: soft fingers, torque about the normal up to torsion times normal force"
+    spread = _spread_in_mm(problem.kinds.candidates.contacts.torsions)
+    return f"{spread}{source}: soft fingers, torque about the normal up to torsion times normal force"
+
+
+def _spread_in_mm(lengths: Floats) -> str:
+    """The least and the greatest of lengths [m]."""
+    least, most = in_mm(lengths.min(), 3), in_mm(lengths.max(), 3)
+    return f"{least} mm" if least == most else f"{least} to {most} mm"
 
 
 def _wrenches(rigid_object: Graspable, task: Task) -> str:

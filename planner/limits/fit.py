@@ -10,7 +10,8 @@ def require_fit(limits: Limits, rigid_object: Graspable) -> None:
     """Refuse limits that name what the object does not have.
 
     Raises:
-        LimitsError: If a name or pattern matches none of the object's geoms, or a vector is of another dimension.
+        LimitsError: If a name or pattern matches none of the object's geoms, a vector is of another dimension, or
+            fingers twist in the plane.
     """
     names = list(dict.fromkeys(part.geom for part in rigid_object.parts))
     for pattern in _patterns(limits):
@@ -20,6 +21,8 @@ def require_fit(limits: Limits, rigid_object: Graspable) -> None:
     for name, vector in _vectors(limits):
         if len(vector) != dimension:
             raise LimitsError(f"{name} has {len(vector)} numbers; points of this object have {dimension}")
+    if dimension == 2 and any(finger.torsion or finger.patch for finger in limits.fingers):
+        raise LimitsError("a finger's torsion or patch resists turning about the normal, which is for objects in space")
 
 
 def _patterns(limits: Limits) -> list[str]:

@@ -1,9 +1,11 @@
-"""From fingers that differ to the search's kinds: fingers that may use the same candidates, equally strong, are alike.
+"""From fingers that differ to the search's kinds.
+
+Fingers that may use the same candidates, equally strong and with equal torsional friction, are alike.
 
 A candidate that several kinds may use is listed once for each of them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -63,13 +65,24 @@ def finger_kinds(rigid_object: Graspable, candidates: Candidates, fingers: int, 
     if not limits.fingers:
         return Kinds(kinds=(), candidates=candidates, of_finger=alike)
     masks = finger_masks(rigid_object, candidates, limits)
-    signs = [(mask.tobytes(), finger.strength) for mask, finger in zip(masks, limits.fingers, strict=True)]
+    torsions = [candidates.contacts_twisting(finger.torsion, finger.patch).torsions for finger in limits.fingers]
+    signs = [
+        (mask.tobytes(), finger.strength, torsion[mask].tobytes())
+        for mask, finger, torsion in zip(masks, limits.fingers, torsions, strict=True)
+    ]
     distinct = list(dict.fromkeys(signs))
+    first = [signs.index(sign) for sign in distinct]  # the first finger of each kind
     kinds = tuple(
-        FingerKind(fingers=signs.count(sign), candidates=int(masks[signs.index(sign)].sum()), strength=float(sign[1]))
-        for sign in distinct
+        FingerKind(
+            fingers=signs.count(signs[finger]),
+            candidates=int(masks[finger].sum()),
+            strength=float(limits.fingers[finger].strength),
+        )
+        for finger in first
     )
-    listed = candidates.kept(np.concatenate([np.flatnonzero(masks[signs.index(sign)]) for sign in distinct]))
+    listed = candidates.kept(np.concatenate([np.flatnonzero(masks[finger]) for finger in first]))
+    torsion = np.concatenate([torsions[finger][masks[finger]] for finger in first])
+    listed = replace(listed, contacts=replace(listed.contacts, torsion=torsion))
     if len(kinds) == 1 and kinds[0].strength == 1:
         return Kinds(kinds=(), candidates=listed, of_finger=alike)
     return Kinds(kinds=kinds, candidates=listed, of_finger=np.array([distinct.index(sign) for sign in signs]))

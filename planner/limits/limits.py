@@ -10,6 +10,8 @@ import msgspec
 import numpy as np
 
 from planner.arrays import Floats, Mask
+from planner.candidates.candidates import require_one_torsion
+from planner.contacts import MOST_TORSION
 from planner.errors import LimitsError
 from planner.limits.values import LARGEST, positive, vector
 from planner.objects.vectors import norm, unit
@@ -99,7 +101,8 @@ class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     """What one finger can do.
 
     Raises:
-        LimitsError: On a strength that is not positive, or a list of geoms that is empty.
+        LimitsError: On a strength that is not positive, a list of geoms that is empty, or torsional friction that is
+            negative or said in two ways.
     """
 
     strength: float = 1.0
@@ -111,8 +114,20 @@ class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     within: Zone | None = None
     """Where it may touch; anywhere where left out."""
 
+    torsion: float | None = None
+    """Its torsional friction [m], 0 for a hard finger; where neither this nor a patch is given, the candidates'."""
+
+    patch: float | None = None
+    """Or the radius of the disc that it presses flat [m]."""
+
     def __post_init__(self) -> None:
         positive("a finger's strength", self.strength)
+        require_one_torsion(self.torsion, self.patch, LimitsError)
+        for name, length in (("torsion", self.torsion), ("patch", self.patch)):
+            if length is not None and not 0 <= length <= MOST_TORSION:
+                raise LimitsError(
+                    f"a finger's {name} is {length}; it is a length, 0 or more and at most {MOST_TORSION:g} m"
+                )
         if self.geoms is not None and not self.geoms:
             raise LimitsError("a finger's geoms are an empty list; leave geoms out to allow every geom")
 

@@ -21,6 +21,7 @@ length = 0.06                 # of its way [m]
 strength = 1.0                # |f| <= strength rho
 geoms = ["wall*"]             # only on these geoms
 within = {lower = [0, -1, -1], upper = [1, 1, 1]}  # only in this box [m]
+patch = 0.004                 # radius of the disc that it presses flat [m]; or torsion = 0.0013, or 0 for a hard finger
 """
 
 from pathlib import Path

@@ -7,6 +7,7 @@ Doubts about mass properties are in `planner.objects.mass_doubts`.
 import numpy as np
 
 from planner.arrays import Floats
+from planner.contacts import Contacts
 from planner.millimetres import in_mm
 from planner.objects.graspable import Graspable
 
@@ -72,6 +73,25 @@ def friction_doubts(friction: Floats) -> list[str]:
     return [
         f"a friction coefficient of {most:.4g} is more than any two dry materials have (0.2 to 1, soft rubber up to "
         f"{MOST_FRICTION:g}); is it an angle in degrees, or a simulation's setting? (--friction)"
+    ]
+
+
+def torsion_doubts(seen: Graspable, contacts: Contacts) -> list[str]:
+    """Whether the object has room for the patches that give the contacts their torsional friction.
+
+    Whatever its pressure, a patch of radius a gives at most mu a, at its rim; none is wider than the second of the
+    object's edges.
+    """
+    radii = contacts.torsions / contacts.friction
+    if not radii.any() or np.sort(seen.extent)[-2] >= 2 * radii.max():
+        return []
+    worst = radii.argmax()
+    torsion, friction = contacts.torsions[worst], contacts.friction[worst]
+    size = " x ".join(in_mm(edge) for edge in seen.extent)
+    return [
+        f"a torsional friction of {in_mm(torsion, 3)} mm takes a patch of {in_mm(radii.max(), 3)} mm radius or more at "
+        f"friction {friction:.3g}, and the object is {size} mm; torsion and patch are lengths in metres: were "
+        "millimetres given?"
     ]
 
 

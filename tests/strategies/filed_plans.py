@@ -61,6 +61,11 @@ def preset_plan(folder: Path) -> Path:
     return _planned(folder, "--task", "axes6", "--candidates", "24")
 
 
+def soft_plan(folder: Path) -> Path:
+    """Three fingers with pads of 4 mm radius, which twist."""
+    return _planned(folder, "--task", "gravity", "--candidates", "24", "--patch", 0.004)
+
+
 def filed_plan(folder: Path) -> Path:
     """A task file, a list of points, and limits that remove a point and tell two kinds of fingers apart."""
     (folder / "knock.toml").write_text(TASK)

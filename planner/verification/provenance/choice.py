@@ -1,9 +1,11 @@
 """Are the candidates all those of the choice that is named, and no others? Chosen again, and compared as sets.
 
 The choice, MuJoCo's confirmation, the limits and the kinds of fingers are no part of the search, so they are repeated
-by the code that made them. A candidate is its point, its normal, its friction and the kind of finger it is for.
+by the code that made them. A candidate is its point, its normal, its friction, its torsional friction and the kind of
+finger it is for.
 """
 
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
@@ -94,13 +96,16 @@ def _compared(claim: str, grasp: Grasp, choice: CandidateChoice, rigid_object: G
 
 def _among(claim: str, recorded: Certificate, chosen: Candidates, choice: CandidateChoice, size: float) -> Check:
     """Where it is not recorded what removed candidates: some may be missing, but none may be of another choice."""
-    points = Certificate(candidates=recorded.candidates, cuts=recorded.cuts)
-    again = Certificate(candidates=chosen.contacts, cuts=recorded.cuts)
+    own = choice.limited is True  # limits also say how fingers twist
+    stated, given = (replace(each, torsion=None) if own else each for each in (recorded.candidates, chosen.contacts))
+    points = Certificate(candidates=stated, cuts=recorded.cuts)
+    again = Certificate(candidates=given, cuts=recorded.cuts)
     foreign, missing = _unlike(points, again, size), _unlike(again, points, size)
     if foreign:
         return checked(claim, False, f"{foreign} of {len(recorded.candidates)} are not of this choice")
-    if choice.limited:
-        why = f"the limits that may have removed {missing} others are the caller's own"
+    if own:
+        twist = ", and given fingers their torsional friction," if recorded.candidates.torsions.any() else ""
+        why = f"the limits that may have removed {missing} others{twist} are the caller's own"
     elif missing or recorded.kinds or recorded.spacing or np.isfinite(recorded.span):
         why = f"whether limits or MuJoCo removed {missing} others is not recorded"
     else:

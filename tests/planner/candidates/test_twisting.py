@@ -29,6 +29,9 @@ def test_an_uncertain_friction_leaves_the_least_of_both() -> None:
     least = make_candidates(BRICK, "30", 0.5).twisting(0.002, None).least_friction(0.2)
     assert least.contacts.friction == pytest.approx(np.full(30, 0.4))
     assert least.contacts.torsions == pytest.approx(np.full(30, 0.0016))
+    other_way_round = make_candidates(BRICK, "30", 0.5).least_friction(0.2).twisting(0.002, None)
+    assert other_way_round.contacts.torsions == pytest.approx(np.full(30, 0.0016))
+    assert other_way_round.choice == least.choice
 
 
 @pytest.mark.parametrize(

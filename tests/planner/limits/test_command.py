@@ -49,6 +49,23 @@ def test_distances_and_the_fingers_own_limits_act(tmp_path: Path, capsys: pytest
     assert run("grasp-verify", tmp_path / "mug.grasp.json") == 0
 
 
+def test_fingers_twist_as_their_limits_say_and_the_friction_error_counts(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The shipped jaw: a pad against a hard edge."""
+    out = tmp_path / "box.grasp.json"
+    given = [ASSETS / "box" / "box.xml", "--fingers", 2, "--candidates", 80, "--out", out]
+    given += ["--limits", ASSETS / "limits" / "box.toml", "--friction-error", 0.1]
+    assert run("grasp-plan", *given) == 0
+    said = capsys.readouterr().out
+    assert says(said, r"torsion 0 to 1\.8 mm \(of the limits\)")
+    assert says(said, r"fingers 1: strength 1, torsion 1\.8 mm, (\d+) candidates 2: strength 1, \1 candidates")
+    assert says(said, r"contact 1 .*, torsion 1\.8 mm contact 2 .*, torsion 0 mm")
+    contacts = json.loads(out.read_text())["contacts"]
+    assert [contact.get("torsion") for contact in contacts] == [pytest.approx(2 / 3 * 0.45 * 0.006), None]
+    assert run("grasp-verify", out) == 0
+
+
 def test_limits_that_no_choice_keeps_are_proven_infeasible(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert plan_mug(tmp_path, "spacing = 0.12") == 3
     assert says(capsys.readouterr().out, "infeasible proven: no 3 of the 80 candidates resist the task")

@@ -63,6 +63,39 @@ def test_fingers_that_are_all_alike_need_no_kinds(bracket: RigidObject, candidat
     assert strong.kinds == (FingerKind(fingers=2, candidates=40, strength=3.0),)
 
 
+def test_a_kind_carries_its_torsional_friction_in_place_of_the_candidates_own(
+    bracket: RigidObject, candidates: Candidates
+) -> None:
+    soft = candidates.twisting(0.002, None)
+    tables = Finger(), Finger(torsion=0.0035), Finger(patch=0.004), Finger(torsion=0), Finger(torsion=0.0035)
+    kinds = finger_kinds(bracket, soft, 5, Limits(fingers=tables))
+    assert kinds.kinds == tuple(FingerKind(fingers=count, candidates=40) for count in (1, 2, 1, 1))
+    assert kinds.of_finger.tolist() == [0, 1, 2, 3, 1]
+    own, stated, pad, hard = np.split(kinds.candidates.contacts.torsions, 4)
+    assert own == pytest.approx(0.002) and stated == pytest.approx(0.0035) and not hard.any()
+    assert pad == pytest.approx(2 / 3 * candidates.contacts.friction * 0.004)
+
+
+def test_fingers_are_alike_by_the_torsional_friction_that_they_have_however_it_is_said(
+    bracket: RigidObject, candidates: Candidates
+) -> None:
+    said = Finger(torsion=0), Finger(patch=0), Finger()
+    assert finger_kinds(bracket, candidates, 3, Limits(fingers=said)).kinds == ()
+    pads = finger_kinds(bracket, candidates, 2, Limits(fingers=(Finger(patch=0.004),) * 2))
+    assert pads.kinds == ()
+    np.testing.assert_array_equal(pads.candidates.contacts.torsions, candidates.twisting(None, 0.004).contacts.torsions)
+
+
+def test_the_friction_error_is_taken_off_the_fingers_torsional_friction_too(
+    bracket: RigidObject, candidates: Candidates
+) -> None:
+    tables = Finger(torsion=0.003), Finger(patch=0.003)
+    kinds = finger_kinds(bracket, candidates.least_friction(0.2), 2, Limits(fingers=tables))
+    stated, pad = np.split(kinds.candidates.contacts.torsions, 2)
+    assert stated == pytest.approx(0.0024)
+    assert pad == pytest.approx(0.8 * 2 / 3 * candidates.contacts.friction * 0.003)
+
+
 @pytest.mark.parametrize(
     ("limits", "error", "message"),
     [

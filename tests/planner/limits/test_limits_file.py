@@ -33,7 +33,9 @@ length = 0.06
 [[finger]]
 strength = 2
 geoms = ["{NAME}"]
+torsion = 0.0035
 [[finger]]
+patch = 0.004
 within = {{lower = [0, 0, 0], upper = [1, 1, 1]}}
 """
 
@@ -57,7 +59,10 @@ def test_a_file_may_say_everything(tmp_path: Path) -> None:
         keep_out=(Zone(lower=(0, -inf, 0), upper=(1, inf, 0.5)),),
         table=Table(normal=(0, 0, 2), height=-0.02, clearance=0.008),
         approach=Approach(radius=0.008, length=0.06),
-        fingers=(Finger(strength=2, geoms=(NAME,)), Finger(within=Zone(lower=(0, 0, 0), upper=(1, 1, 1)))),
+        fingers=(
+            Finger(strength=2, geoms=(NAME,), torsion=0.0035),
+            Finger(within=Zone(lower=(0, 0, 0), upper=(1, 1, 1)), patch=0.004),
+        ),
     )
     np.testing.assert_array_equal(limits.strengths, [2, 1])
 
@@ -112,6 +117,10 @@ def test_the_shipped_files_fit_the_assets_of_their_names(path: Path) -> None:
         ("[[finger]]\nstrength = nan", "strength is nan"),
         ("[[finger]]\ngeoms = []", "geoms are an empty list; leave geoms out"),
         ("[[finger]]\nwithin = {lower = [0, 0], upper = [1, 1]}", "finger.within.lower has 2 numbers"),
+        ("[[finger]]\ntorsion = 0.002\npatch = 0.004", "torsion 0.002 and patch 0.004 both say .*give one of them"),
+        ("[[finger]]\ntorsion = -0.002", r"a finger's torsion is -0\.002; it is a length, 0 or more"),
+        ("[[finger]]\npatch = nan", "a finger's patch is nan"),
+        ("[[finger]]\npatch = 1e5", r"a finger's patch is 100000\.0; .* at most 10000 m"),
         (9 * "[[finger]]\n", r"9 tables \[\[finger\]\]; at most 8"),
         ("a = " + 5000 * "[", "limits file"),
         ("spacing = 1" + 400 * "0", "limits file"),
@@ -142,6 +151,9 @@ def test_a_planar_object_has_planar_limits(tmp_path: Path) -> None:
     assert read_limits(path, planar).table == Table(normal=(0, 1), clearance=0.01)
     with pytest.raises(LimitsError, match=r"table\.normal has 3 numbers; points of this object have 2"):
         read_limits(written(tmp_path, "[table]\nnormal = [0, 0, 1]\nclearance = 0.01"), planar)
+    with pytest.raises(LimitsError, match="about the normal, which is for objects in space"):
+        read_limits(written(tmp_path, "[[finger]]\npatch = 0.004"), planar)
+    assert read_limits(written(tmp_path, "[[finger]]\ntorsion = 0"), planar).fingers == (Finger(torsion=0),)
 
 
 @pytest.mark.parametrize("path", ["nowhere.toml", ".", "a\0b", 5000 * "x"])

@@ -13,7 +13,14 @@ from planner.objects.given_mass import GivenMass
 from planner.objects.mass_doubts import height_outside, mass_doubts
 from planner.objects.mjcf.reader import read_object
 from planner.objects.planar.reader import read_planar
-from planner.objects.plausibility import candidate_doubts, friction_doubts, gravity_doubts, grid_doubts, size_doubts
+from planner.objects.plausibility import (
+    candidate_doubts,
+    friction_doubts,
+    gravity_doubts,
+    grid_doubts,
+    size_doubts,
+    torsion_doubts,
+)
 from planner.task import make_task
 from tests.strategies.mjcf_files import world, written
 from tests.strategies.parts import box, rigid_object
@@ -37,6 +44,41 @@ def test_sizes_of_another_unit_are_doubted(length: float, doubt: str | None) -> 
     for said in doubts:
         assert doubt is not None
         assert re.search(doubt, said)
+
+
+@pytest.mark.parametrize(
+    ("torsion", "patch", "said"),
+    [
+        (0.0099, None, None),  # the rim of a disc of 19.8 mm radius: as wide as the object is in two directions
+        (
+            0.0101,
+            None,
+            "torsional friction of 10.1 mm takes a patch of 20.2 mm radius or more at friction 0.5, and the",
+        ),
+        (3.5, None, "of 3500 mm takes .* the object is 60 x 40 x 30 mm; .* lengths in metres: were millimetres given"),
+        (None, 0.004, None),
+        (None, 0.031, "patch of 20.7 mm radius or more at friction 0.5"),
+        (None, 4.0, "were millimetres given"),
+        (0.0, None, None),
+    ],
+)
+def test_torsional_friction_for_which_the_object_has_no_room_is_doubted(
+    torsion: float | None, patch: float | None, said: str | None
+) -> None:
+    brick = rigid_object(box((0, 0, 0), (0.03, 0.02, 0.015)))
+    doubts = torsion_doubts(brick, make_candidates(brick, "20", 0.5).twisting(torsion, patch).contacts)
+    assert len(doubts) == (said is not None)
+    assert not doubts or re.search(said or "", doubts[0])
+
+
+def test_the_command_doubts_the_pads_of_limits_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    jaw = tmp_path / "jaw.toml"
+    jaw.write_text("[[finger]]\npatch = 6\n[[finger]]\ntorsion = 0")
+    given = ["--fingers", 2, "--candidates", 30, "--out", tmp_path / "box.grasp.json"]
+    assert run("grasp-plan", ASSETS / "box" / "box.xml", *given, "--limits", jaw) == 0
+    assert "were millimetres given" in capsys.readouterr().err
+    assert run("grasp-plan", ASSETS / "box" / "box.xml", *given, "--patch", 0.006) == 0
+    assert "millimetres" not in capsys.readouterr().err
 
 
 def test_a_planar_outline_in_millimetres_is_doubted(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:

@@ -11,8 +11,9 @@ from planner.grasps.grasped_object import read_grasped_object
 from planner.verification.check import Check
 from planner.verification.provenance.provenance import check_provenance, require_provenance
 from planner.verification.verify import verify
-from tests.strategies.filed_plans import document_of, preset_plan
+from tests.strategies.filed_plans import document_of, preset_plan, soft_plan
 from tests.strategies.forgeries import FORGERIES, NOBODY, OBJECT, PROOF, READING, UNCHECKED, Forgery
+from tests.strategies.soft_forgeries import SOFT_FORGERIES
 from tests.tools.commands import run
 from tests.tools.lanes import first_fast
 
@@ -23,6 +24,11 @@ FOREIGN = [each for each in FORGERIES if each.noticed is OBJECT]
 @pytest.fixture(scope="module")
 def true_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return preset_plan(tmp_path_factory.mktemp("true"))
+
+
+@pytest.fixture(scope="module")
+def soft_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return soft_plan(tmp_path_factory.mktemp("soft"))
 
 
 def forged(true_file: Path, forgery: Forgery) -> Path:
@@ -57,6 +63,18 @@ def test_the_true_file_is_true_to_the_last_claim(true_file: Path) -> None:
 @pytest.mark.parametrize("forgery", first_fast(FORGERIES, fast=30), ids=lambda forgery: forgery.name)
 def test_a_forged_field_is_noticed_or_says_nothing_false(true_file: Path, forgery: Forgery) -> None:
     assert notices(forged(true_file, forgery)) == forgery.noticed
+    assert bool(forgery.why) == (forgery.noticed is NOBODY)
+
+
+def test_the_true_soft_file_twists_and_is_true_to_the_last_claim(soft_file: Path) -> None:
+    grasp = read_grasp(soft_file)
+    assert all(check.holds for check in verify(grasp))
+    assert (abs(grasp.torques) > 1e-3 * grasp.rho * grasp.contacts.torsions.max()).any()
+
+
+@pytest.mark.parametrize("forgery", SOFT_FORGERIES, ids=lambda forgery: forgery.name)
+def test_forged_torsional_friction_is_noticed_or_says_nothing_false(soft_file: Path, forgery: Forgery) -> None:
+    assert notices(forged(soft_file, forgery)) == forgery.noticed
     assert bool(forgery.why) == (forgery.noticed is NOBODY)
 
 

@@ -12,7 +12,7 @@ from planner.candidates.confirmed import confirmed_candidates
 from planner.grasp_problem import GraspProblem
 from planner.grasps.grasp import Grasp
 from planner.grasps.grasp_file import read_grasp, write_grasp
-from planner.limits.limits import Limits, Zone
+from planner.limits.limits import Finger, Limits, Zone
 from planner.objects.mjcf.reader import read_object
 from planner.objects.object_file import read_object_file
 from planner.planning import plan
@@ -201,6 +201,26 @@ def test_limits_made_in_python_leave_open_what_they_removed_but_admit_no_foreign
     document["certificate"]["candidates"]["positions"][0][0] += 1e-3
     file.write_text(json.dumps(document))
     assert any("1 of" in detail and "not of this choice" in detail for _, detail in results(read_grasp(file)).values())
+
+
+def test_torsional_friction_of_limits_made_in_python_is_the_callers_own_and_that_of_a_file_is_checked(
+    tmp_path: Path,
+) -> None:
+    box = read_object_file(ASSETS / "box" / "box.xml")
+    limits = Limits(fingers=(Finger(patch=0.006), Finger(torsion=0)))
+    grasp = plan(GraspProblem(box, make_task("gravity", box), make_candidates(box, "40", 0.5), 2, limits), QUICK)
+    ((_, (result, detail)),) = results(grasp).items()
+    assert result is Result.NOT_CHECKED
+    assert says(detail, "removed 0 others, and given fingers their torsional friction, are the caller's own")
+    jaw = tmp_path / "jaw.toml"
+    jaw.write_text("[[finger]]\npatch = 0.006\n[[finger]]\ntorsion = 0")
+    out = tmp_path / "box.grasp.json"
+    given = ["--fingers", 2, "--candidates", 40, "--limits", jaw, "--out", out, "--quiet"]
+    assert run("grasp-plan", box.file, *given) == 0
+    assert results(read_grasp(out)) == {}
+    jaw.write_text(jaw.read_text().replace("6", "5"))
+    claim, result, detail = only(out)
+    assert result is Result.FAILS and "those of the choice" in claim and "jaw.toml has changed since" in detail
 
 
 def test_a_subset_made_in_python_is_no_lie_about_the_choice_it_is_of() -> None:
