@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from planner.candidates.candidates import Candidates
-from planner.candidates.choice import make_candidates
+from planner.candidates.choice import make_candidates, usual_choice
 from planner.candidates.confirmed import Confirmed, confirmed_candidates
 from planner.files.source_file import source_file
 from planner.limits.kinds import Kinds, finger_kinds
@@ -94,8 +94,8 @@ class GraspRequest:
     task: str = "gravity"
     """Name of a preset, or path of a TOML file."""
 
-    candidates: str = "300"
-    """See `make_candidates`."""
+    candidates: str | None = None
+    """See `make_candidates`; None for the usual ones of so many fingers."""
 
     fingers: int = 3
 
@@ -118,7 +118,7 @@ class GraspRequest:
     """TOML file of what the hand allows."""
 
     seed: int = 0
-    """Of evenly spread candidates."""
+    """Of candidates that are evenly spread or in opposed pairs."""
 
 
 def pose_problem(request: GraspRequest, show: Callable[[str], None] = lambda _: None) -> GraspProblem:
@@ -134,8 +134,9 @@ def pose_problem(request: GraspRequest, show: Callable[[str], None] = lambda _: 
     show(f"reading {request.source.file}")
     rigid_object = read_object_file(request.source)
     task = make_task(request.task, rigid_object)
-    show(f"choosing candidates: {request.candidates}")
-    candidates = make_candidates(rigid_object, request.candidates, request.friction, request.seed, request.fingertip)
+    choice = usual_choice(rigid_object, request.fingers) if request.candidates is None else request.candidates
+    show(f"choosing candidates: {choice}")
+    candidates = make_candidates(rigid_object, choice, request.friction, request.seed, request.fingertip)
     candidates = candidates.twisting(request.torsion, request.patch).least_friction(request.friction_error)
     confirmed = None
     if isinstance(rigid_object, RigidObject):

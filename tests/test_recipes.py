@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from planner.arrays import Floats, Indices, Mask
-from planner.candidates.candidates import Candidates
-from planner.candidates.choice import make_candidates
+from planner.candidates.candidates import CandidateChoice, Candidates, candidates_at
+from planner.candidates.choice import WAYS, make_candidates
 from planner.contact_models import models
 from planner.contact_models.hard_finger import HardFinger
 from planner.contacts import Contacts
@@ -25,6 +25,7 @@ from planner.limits.restricted import RESTRICTIONS
 from planner.objects.graspable import Graspable
 from planner.objects.mjcf.reader import read_object
 from planner.objects.mjcf.writer import write_mjcf
+from planner.objects.parts.box import Box
 from planner.objects.parts.primitives import PRIMITIVES
 from planner.objects.parts.sphere import Sphere
 from planner.objects.rigid_object import RigidObject
@@ -38,6 +39,7 @@ from planner.search.regions.candidate_tree import CandidateTree
 from planner.search.result import Progress, SearchResult, Status
 from planner.task import make_task
 from planner.verification.proof_check import with_checked_proof
+from planner.verification.provenance.choice import check_choice
 from planner.wrench_sets.by_name import KINDS
 from sim.validation import validation
 from sim.validation.control_experiment import ControlExperiment
@@ -102,6 +104,25 @@ def test_add_shape(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     task = make_task("axes6", pearl)
     held = plan(GraspProblem(pearl, task, make_candidates(pearl, "30", None, seed=0), fingers=3))
     assert validate(pearl, held).verdict == "pass"
+
+
+def face_points(rigid_object: RigidObject, _: CandidateChoice) -> Candidates:
+    """One point on the diagonal of each face of a box."""
+    part = rigid_object.parts[0]
+    assert isinstance(part, Box)
+    facets = np.arange(len(part.polygons))
+    points = np.array([part.vertices[corners][:3].mean(axis=0) for corners in part.polygons])
+    return candidates_at(rigid_object, points, np.zeros(len(facets), dtype=int), facets, 0.6)
+
+
+def test_add_way_to_choose_candidates(problem: GraspProblem, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(WAYS, "faces", face_points)
+    chosen = make_candidates(problem.rigid_object, "faces")
+    assert len(chosen) == 6
+    planned = plan(GraspProblem(problem.rigid_object, problem.task, chosen, fingers=3))
+    assert check_choice(planned, problem.rigid_object).holds
+    few = plan(GraspProblem(problem.rigid_object, problem.task, chosen.kept(np.arange(5)), fingers=3))
+    assert check_choice(few, problem.rigid_object).fails, "one of them is missing"
 
 
 class Lower(Limits, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -20,7 +20,7 @@ class CandidateChoice:
     """What candidates were asked for, in the words of `grasp-plan`'s options: enough to choose the same ones again."""
 
     candidates: str
-    """A number of points, `grid:SPACING`, `case3`, or the path of a file of points or of a grasp."""
+    """A number of points, `antipodal:NUMBER`, `grid:SPACING`, `case3`, or the path of a file of points or a grasp."""
 
     friction: float | None = None
     """Coulomb coefficient of all contacts; None for each geom's own."""
@@ -32,7 +32,7 @@ class CandidateChoice:
     """Radius of the ball that had to fit [m]; None for the usual share of the object's size."""
 
     seed: int = 0
-    """Seed of evenly spread points."""
+    """Seed of points that are evenly spread or in opposed pairs."""
 
     torsion: float | None = None
     """Torsional friction of all contacts [m]; None for each geom's own, or that of a patch."""

@@ -40,20 +40,33 @@ def even_candidates(
     Raises:
         CandidateError: If an argument is out of range, or nearly all of the surface is inside other parts.
     """
-    if not 1 <= count <= MOST_CANDIDATES:
-        raise CandidateError(f"{count} candidates were asked for; choose 1 to {MOST_CANDIDATES}")
-    if seed < 0:
-        raise CandidateError(f"the seed is {seed}; it must not be negative")
-    generator = np.random.Generator(np.random.PCG64(seed))
-    points, part, facet = _pool(rigid_object, OVERSAMPLING * count, generator, fingertip)
+    generator = seeded(count, seed)
+    points, part, facet = surface_pool(rigid_object, OVERSAMPLING * count, generator, fingertip)
     chosen = farthest_points(points, count)
     return candidates_at(rigid_object, points[chosen], part[chosen], facet[chosen], friction)
 
 
-def _pool(
+def seeded(count: int, seed: int) -> np.random.Generator:
+    """The generator of a random choice of `count` candidates.
+
+    Raises:
+        CandidateError: If an argument is out of range.
+    """
+    if not 1 <= count <= MOST_CANDIDATES:
+        raise CandidateError(f"{count} candidates were asked for; choose 1 to {MOST_CANDIDATES}")
+    if seed < 0:
+        raise CandidateError(f"the seed is {seed}; it must not be negative")
+    return np.random.Generator(np.random.PCG64(seed))
+
+
+def surface_pool(
     rigid_object: RigidObject, size: int, generator: np.random.Generator, fingertip: float | None
 ) -> tuple[Floats, Indices, Indices]:
-    """At least `size` exposed random points, with their parts and facets."""
+    """At least `size` random points that a fingertip reaches, with their parts and facets.
+
+    Raises:
+        CandidateError: If nearly all of the surface is inside other parts.
+    """
     triangles, part_of, facet_of = finger_surface(rigid_object)
     points, parts, facets, found = [], [], [], 0
     for _ in range(MOST_ROUNDS):

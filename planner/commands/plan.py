@@ -51,11 +51,12 @@ class Options(ObjectOptions):
     along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
     frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
-    candidates: str = "300"
-    """Where fingers may go: a number of evenly spread points; "grid:0.004" for cell centres 4 mm apart on every flat
-    facet, or edge of a planar object; "case3" for the paper's 217 points on the prism; anything else is a CSV file of
-    points x,y,z (planar: x,y) in metres, behind each, if wanted, its normal into the object nx,ny,nz; or a
-    *.grasp.json, whose contacts are taken."""
+    candidates: str | None = None
+    """Where fingers may go: a number of evenly spread points; "antipodal:300" for 150 pairs of opposed points, densest
+    about the centre of mass; "grid:0.004" for cell centres 4 mm apart on every flat facet, or edge of a planar object;
+    "case3" for the paper's 217 points on the prism; anything else is a CSV file of points x,y,z (planar: x,y) in
+    metres, behind each, if wanted, its normal into the object nx,ny,nz; or a *.grasp.json, whose contacts are taken.
+    By default antipodal:300 for two fingers on an object in space, otherwise 300."""
 
     out: Given[Path] = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -90,7 +91,7 @@ class Options(ObjectOptions):
     clock starts when the program is loaded, which takes a few seconds itself."""
 
     seed: int = 0
-    """Seed of the even candidates and of the search's starts."""
+    """Seed of the candidates, where they are evenly spread or in opposed pairs, and of the search's starts."""
 
     json: bool = False
     """Print one JSON document with the outcome to standard output; words then go to standard error."""

@@ -5,9 +5,10 @@ import numpy as np
 
 from planner.contacts import Contacts
 from planner.objects.rigid_object import RigidObject
+from planner.objects.surface.rays import ray_hits
 from sim.render.outline import visible_edges
 from sim.render.recording import Recording
-from sim.render.sight import exit_distance, open_to, ray_hits
+from sim.render.sight import exit_distance, open_to
 from sim.render.view import View, best_direction
 from tests.strategies.parts import box, rigid_object
 
@@ -20,7 +21,7 @@ def test_rays_meet_the_object_where_mujoco_says(prism: RigidObject, recording: R
     generator = np.random.default_rng(0)
     origins = generator.normal(scale=0.3, size=(60, 3))
     directions = generator.normal(scale=0.03, size=(60, 3)) - origins
-    hits = ray_hits(triangles, origins, directions)
+    hits = ray_hits(triangles, origins[:, None], directions[:, None])
     ours = np.where(hits > 0, hits, np.inf).min(axis=1)
     geom = np.zeros(1, dtype=np.int32)
     compared = 0

@@ -1,6 +1,7 @@
 """What the user's files say now against what a grasp says they said; and what cannot be checked is said."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -250,6 +251,17 @@ def test_honest_candidates_of_every_shape_are_true(name: str, confirmed: bool) -
         candidates = confirmed_candidates(body, candidates).candidates
     grasp = plan(GraspProblem(body, make_task("gravity", body), candidates, 3), QUICK)
     assert results(grasp) == {}
+
+
+@pytest.mark.parametrize("name", ["bracket", "mug"])
+def test_honest_pairs_are_true_and_those_of_another_seed_are_not(name: str) -> None:
+    body = read_object(ASSETS / name / f"{name}.xml")
+    pairs = make_candidates(body, "antipodal:50", None, seed=3).twisting(None, 0.004).least_friction(0.1)
+    grasp = plan(GraspProblem(body, make_task("gravity", body), confirmed_candidates(body, pairs).candidates, 2), QUICK)
+    assert results(grasp) == {}
+    assert grasp.candidate_choice is not None
+    forged = replace(grasp, candidate_choice=replace(grasp.candidate_choice, seed=4))
+    assert [result for result, _ in results(forged).values()] == [Result.FAILS]
 
 
 @pytest.mark.parametrize("choice", ["20", "grid:0.01"])
