@@ -39,7 +39,7 @@ from planner.task import make_task
 from planner.verification.proof_check import with_checked_proof
 from planner.wrench_sets.by_name import KINDS
 from sim.validation import validation
-from sim.validation.control_experiment import ControlExperiment
+from sim.validation.control_experiment import ControlExperiment, ControlOutcome
 from sim.validation.validation import validate
 from tests.tools.commands import ASSETS, ROOT, run
 
@@ -197,18 +197,8 @@ def test_add_control_experiment(
     behaves: bool, problem: GraspProblem, grasp: Grasp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def wishful_control(*_: object) -> ControlExperiment:
-        numbers, yes = np.ones(1), np.array([True])
-        return ControlExperiment(
-            name="wishful",
-            change="nothing at all",
-            wrenches=np.zeros(1, dtype=int),
-            phi=numbers,
-            caps=numbers,
-            slips=numbers,
-            held=np.array([behaves]),
-            expected=yes,
-            counted=yes,
-        )
+        outcome = ControlOutcome(wrench=0, phi=1.0, cap=1.0, slip=1.0, held=behaves, expected=True, counted=True)
+        return ControlExperiment(name="wishful", change="nothing at all", outcomes=(outcome,))
 
     assert isinstance(problem.rigid_object, RigidObject)
     monkeypatch.setattr(validation, "displacement_control", wishful_control)  # a call in validation.py

@@ -40,7 +40,7 @@ class BenchOutcome:
     """Named largest force of a fingertip before the tugs [N]."""
 
     preload: np.ndarray
-    """Constant push of each fingertip, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
+    """Constant push of each fingertip, body frame, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
 
     translations: np.ndarray
     """Largest displacement of the body's origin at any look, shape (simulations,) [m]."""

@@ -1,10 +1,12 @@
 """The four controls of a validation: less cap, no load, less friction, another contact."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from planner.contact_models.friction_cone import utilisation
+from planner.files.json_document import as_rows
 from planner.millimetres import in_mm
 from planner.progress import Done
 from sim.trial.experiment import Experiment, set_up
@@ -14,7 +16,7 @@ from sim.trial.measurement import Measurement
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.trial import Trial
-from sim.validation.control_experiment import ControlExperiment
+from sim.validation.control_experiment import ControlExperiment, ControlOutcome
 from sim.validation.displacement import DisplacedGrasp, displaced_grasps
 
 
@@ -30,13 +32,7 @@ def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationPr
     return ControlExperiment(
         name="cap",
         change=f"critical wrench {critical_wrench} with the cap at {protocol.control_factor:g} rho",
-        wrenches=np.array([critical_wrench]),
-        phi=np.array([grasp.rho]),
-        caps=outcome.caps,
-        slips=outcome.slip,
-        held=outcome.held,
-        expected=np.array([False]),
-        counted=np.array([True]),
+        outcomes=_outcomes(outcome, wrench=[critical_wrench], phi=[grasp.rho], expected=[False], counted=[True]),
     )
 
 
@@ -60,17 +56,18 @@ def creep_control(
         decidable: Whether what acts keeps off the friction limit.
     """
     critical_wrench = grasp.critical_wrench
+    still = replace(outcome, held=outcome.held & (outcome.slip < protocol.creep_tolerance))
     load = f"these fingers cannot squeeze; {part:g} of critical wrench {critical_wrench}" if part else "no load"
     return ControlExperiment(
         name="creep",
         change=f"{load}; the slip must stay below {protocol.creep_tolerance:g} R0",
-        wrenches=np.array([critical_wrench if part else -1]),
-        phi=np.array([part * grasp.rho]),
-        caps=outcome.caps,
-        slips=outcome.slip,
-        held=outcome.held & (outcome.slip < protocol.creep_tolerance),
-        expected=np.array([True]),
-        counted=np.array([decidable]),
+        outcomes=_outcomes(
+            still,
+            wrench=[critical_wrench if part else None],
+            phi=[part * grasp.rho],
+            expected=[True],
+            counted=[decidable],
+        ),
     )
 
 
@@ -96,13 +93,13 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     return ControlExperiment(
         name="friction",
         change=f"friction at {factor:.3g} of the planned, cap at {protocol.hold_factor:g} rho",
-        wrenches=np.arange(len(grasp.wrenches)),
-        phi=phi,
-        caps=outcome.caps,
-        slips=outcome.slip,
-        held=outcome.held,
-        expected=phi < outcome.caps,
-        counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
+        outcomes=_outcomes(
+            outcome,
+            wrench=np.arange(len(grasp.wrenches)),
+            phi=phi,
+            expected=phi < outcome.caps,
+            counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
+        ),
     )
 
 
@@ -151,31 +148,17 @@ def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> 
         return ControlExperiment(
             name="displaced contact",
             change=f"{moved}, its own rho {grasp.rho:.5g} N",
-            wrenches=np.array([worst, worst]),
-            phi=grasp.phi[[worst, worst]],
-            caps=outcome.caps,
-            slips=outcome.slip,
-            held=outcome.held,
-            expected=np.array([True, False]),
-            counted=np.array([True, True]),
+            outcomes=_outcomes(
+                outcome, wrench=[worst] * 2, phi=[grasp.rho] * 2, expected=[True, False], counted=[True] * 2
+            ),
         )
-    return _impossible("displaced contact", "no contact can move along its face and leave a grasp off its limits")
+    why = "no contact can move along its face and leave a grasp off its limits"
+    return ControlExperiment(name="displaced contact", change=why, outcomes=())
 
 
-def _impossible(name: str, why: str) -> ControlExperiment:
-    """A control that this grasp does not allow."""
-    numbers, answers = np.zeros(0), np.zeros(0, dtype=bool)
-    return ControlExperiment(
-        name=name,
-        change=why,
-        wrenches=np.zeros(0, dtype=int),
-        phi=numbers,
-        caps=numbers,
-        slips=numbers,
-        held=answers,
-        expected=answers,
-        counted=answers,
-    )
+def _outcomes(simulated: Measurement, **predicted: Sequence[object] | np.ndarray) -> tuple[ControlOutcome, ...]:
+    """What was seen in each simulation, beside what was predicted for it: the other values of `ControlOutcome`."""
+    return as_rows(ControlOutcome, cap=simulated.caps, slip=simulated.slip, held=simulated.held, **predicted)
 
 
 def _by_change(planned: LoadedGrasp, protocol: ValidationProtocol) -> list[DisplacedGrasp]:
