@@ -33,7 +33,7 @@ from planner.search.constraints.every_grasp import EVERY_GRASP
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 from planner.search.result import Progress, SearchResult, Status
 from planner.task import make_task
 from planner.verification.proof_check import with_checked_proof
@@ -126,7 +126,7 @@ def test_add_limit(problem: GraspProblem, tmp_path: Path, monkeypatch: pytest.Mo
 class Leaning:
     """The coordinates x of the contacts sum to at most `most`; see `Constraint`."""
 
-    def __init__(self, most: float, problem: SearchProblem, tree: CandidateTree) -> None:
+    def __init__(self, most: float, problem: SearchProblem, tree: RegionTree) -> None:
         self.most, self.x = most, problem.contacts.points[:, 0]
         self.lower = tree.boxes(self.x[:, None])[0][:, 0]
 

@@ -185,8 +185,7 @@ class BranchAndBound:
     def start_incumbent(self) -> None:
         """Local search from random subsets: first among few spread candidates, then among all."""
         generator = np.random.default_rng(self.method.seed)
-        count = len(self.problem.contacts)
-        few = np.sort(self.tree.order[:: -(-count // FEW)])
+        few = np.sort(self.tree.spread(FEW))
         for _ in range(STARTS):
             subset = random_subset(self.problem, generator)
             if subset is None:
@@ -226,7 +225,7 @@ class BranchAndBound:
             if self.halted():
                 self.frontier.push(leaves[done:])  # still open: the bound must not forget them
                 return
-            self.evaluate(np.sort(self.tree.order[self.tree.start[nodes]]))
+            self.evaluate(np.sort(self.tree.contact[nodes]))
 
     def unpruned(self, rows: BoundedRows) -> BoundedRows:
         """The rows whose bounds exceed the threshold; the bounds of the others are remembered with their cuts."""

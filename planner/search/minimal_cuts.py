@@ -91,7 +91,7 @@ class _Walk:
 
     def pruned(self, cuts: CutTable, subsets: BoundedRows) -> Mask:
         """Which cuts prune which rows of single candidates, in float64, shape (rows, cuts)."""
-        sums = cuts.values[self.tree.order[self.tree.start[subsets.nodes]]].sum(axis=1)
+        sums = cuts.values[self.tree.contact[subsets.nodes]].sum(axis=1)
         return np.asarray(sums <= self.threshold * (1 + ROUNDING))
 
 

@@ -1,7 +1,7 @@
 """Multisets of tree nodes: each stands for all subsets that take their contacts from below those nodes.
 
 A row (C_1, ..., C_m) lists nodes in the order of their positions; distinct nodes are disjoint, and a node that
-appears r times gives r different candidates. The row (root, ..., root) stands for every m-subset. Splitting a
+appears r times gives r different contacts. The row (root, ..., root) stands for every m-subset. Splitting a
 node that appears r times sends t copies left and r - t right, t = 0..r: the children partition the parent's
 subsets, so no subset is met twice.
 """
@@ -9,14 +9,14 @@ subsets, so no subset is met twice.
 import numpy as np
 
 from planner.search.regions.bounded_rows import BoundedRows
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 
 
-def split(rows: BoundedRows, tree: CandidateTree) -> BoundedRows:
+def split(rows: BoundedRows, tree: RegionTree) -> BoundedRows:
     """Children of rows, each split at its widest node; they inherit its bound with the cut that proves it.
 
     Args:
-        rows: Every one holds a node of at least two candidates.
+        rows: Every one holds a node of some width.
         tree: To which the nodes belong.
     """
     nodes, sizes = rows.nodes, tree.sizes
