@@ -26,9 +26,8 @@ from planner.search.infeasible import impossible_direction
 from planner.search.local_search import STARTS, add_vertex_cuts, evaluate_below, improve, random_subset
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.regions.candidate_tree import build_tree
-from planner.search.regions.frontier import Frontier, split
+from planner.search.regions.rows import BoundedRows, Frontier, split
 from planner.search.result import Progress, SearchResult, Status, relative_gap
 from planner.search.settings import SearchSettings
 from planner.search.two_fingers import line_bounds, pairs

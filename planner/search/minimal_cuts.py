@@ -19,9 +19,8 @@ from planner.search.constraints.every_grasp import on_every_grasp
 from planner.search.cuts import CutTable
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.regions.candidate_tree import build_tree
-from planner.search.regions.frontier import Frontier, split
+from planner.search.regions.rows import BoundedRows, Frontier, split
 from planner.search.result import SearchResult, Status
 
 ROUNDING = 1e-10

@@ -17,8 +17,8 @@ from scipy.cluster.hierarchy import leaves_list, ward
 from planner.arrays import Indices, Mask, Singles
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
-from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.regions.region_tree import RegionTree
+from planner.search.regions.rows import BoundedRows
 
 FIRST_CUTS = 256
 """Columns of the table at the start; doubled when full."""

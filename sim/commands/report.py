@@ -60,7 +60,7 @@ def _report(file: Path, out: Path, given: Path | None, moved: Path | None) -> st
     from planner.grasps.grasp_file import read_grasp
     from planner.grasps.grasped_object import read_grasped_object
     from sim.report.report_page import write_report
-    from sim.validation.reader import read_validation_of
+    from sim.validation.document import read_validation_of
 
     grasp = read_grasp(file)
     if given and not grasp.found:

@@ -10,8 +10,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from planner.files.json_document import as_rows, finite_or_none
-from planner.files.versioned_document import write_document
+from planner.errors import GraspFileError
+from planner.files.json_document import as_rows, decode_json, finite_or_none
+from planner.files.versioned_document import DocumentFormat, write_document
+from planner.grasps.grasp import Grasp
 from planner.objects.rigid_object import RigidObject
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
@@ -23,6 +25,17 @@ from sim.validation.validation import Validation
 from sim.validation.verdict import Verdict
 
 FORMAT, FORMAT_VERSION = "rhograsp.validation", 1
+
+FILE = DocumentFormat(
+    name=FORMAT,
+    version=FORMAT_VERSION,
+    oldest=FORMAT_VERSION,
+    called="validation file",
+    remedy="validate the grasp again",
+)
+
+AGREEMENT = 1e-9
+"""Relative difference of two values of rho that are the same."""
 
 
 class FingerRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -169,6 +182,33 @@ def write_validation(path: Path, validation: Validation, *, grasp: str | None = 
         OutputError: When `path` cannot be written.
     """
     write_document(path, to_document(validation, grasp=grasp))
+
+
+def read_validation(path: Path) -> ValidationDocument:
+    """Read a validation file.
+
+    Raises:
+        GraspFileError: When it is missing, truncated, too large, of another format or another version.
+    """
+    content, _ = FILE.read(path)
+    return decode_json(content, ValidationDocument, path, FILE.called)
+
+
+def read_validation_of(path: Path, grasp: Grasp) -> ValidationDocument:
+    """Read the validation file of one grasp.
+
+    Raises:
+        GraspFileError: When it cannot be read, or is about another object or grasp.
+    """
+    document = read_validation(path)
+    same_object = (document.object.sha256, document.object.body) == (grasp.sha256, grasp.body)
+    same_rho = abs(document.rho - grasp.rho) <= AGREEMENT * grasp.rho
+    if not same_object or not same_rho or len(document.vertices) not in (0, len(grasp.phi)):
+        raise GraspFileError(
+            f"{path} is about another grasp (body {document.object.body!r}, rho {document.rho:.6g} N; here "
+            f"{grasp.body!r}, {grasp.rho:.6g} N): validate this one, or name its own file with --validation"
+        )
+    return document
 
 
 def _critical_force(critical: CriticalForce) -> CriticalForceRecord:

@@ -2,6 +2,5 @@
 
 region_tree       a binary tree of regions: what the search asks of one
 candidate_tree    that of clusters of candidates
-frontier          rows of its nodes: how they split, and those that are open
-bounded_rows      such rows, each with its bound and the cut that proves it
+rows              rows of its nodes with their bounds and cuts: how they split, and those that are open
 """

@@ -13,10 +13,9 @@ from planner.search.cuts import CutTable
 from planner.search.finger_kind import FingerKind
 from planner.search.node_bounds import RAISED, NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import NO_CUT, BoundedRows
 from planner.search.regions.candidate_tree import build_tree
-from planner.search.regions.frontier import split
 from planner.search.regions.region_tree import RegionTree
+from planner.search.regions.rows import NO_CUT, BoundedRows, split
 from tests.strategies.search_problems import random_problem
 
 PROBLEMS = [random_problem(seed) for seed in range(12)]

@@ -16,9 +16,8 @@ from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import BoundedRows
-from planner.search.regions.frontier import Frontier, split
 from planner.search.regions.region_tree import RegionTree
+from planner.search.regions.rows import BoundedRows, Frontier, split
 from planner.task import make_task
 from tests.tools.commands import ASSETS
 

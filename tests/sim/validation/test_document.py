@@ -12,8 +12,14 @@ from planner.errors import OutputError
 from planner.files.json_document import as_rows
 from planner.files.versioned_document import document_text
 from sim.trial.protocol import ACTIVE
-from sim.validation.document import FORMAT, CapRecord, ValidationDocument, to_document, write_validation
-from sim.validation.reader import read_validation
+from sim.validation.document import (
+    FORMAT,
+    CapRecord,
+    ValidationDocument,
+    read_validation,
+    to_document,
+    write_validation,
+)
 from sim.validation.validation import Validation
 from sim.validation.verdict import Verdict
 from tests.strategies.planned_grasps import prism
