@@ -35,14 +35,14 @@ from planner.search.constraints.every_grasp import EVERY_GRASP
 from planner.search.evaluation import Evaluator
 from planner.search.exhaustive import exhaustive_search
 from planner.search.problem import SearchProblem
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 from planner.search.result import Progress, SearchResult, Status
 from planner.task import make_task
 from planner.verification.proof_check import with_checked_proof
 from planner.verification.provenance.choice import check_choice
 from planner.wrench_sets.by_name import KINDS
 from sim.validation import validation
-from sim.validation.control_experiment import ControlExperiment
+from sim.validation.control_experiment import ControlExperiment, ControlOutcome
 from sim.validation.validation import validate
 from tests.tools.commands import ASSETS, ROOT, run
 
@@ -148,7 +148,7 @@ def test_add_limit(problem: GraspProblem, tmp_path: Path, monkeypatch: pytest.Mo
 class Leaning:
     """The coordinates x of the contacts sum to at most `most`; see `Constraint`."""
 
-    def __init__(self, most: float, problem: SearchProblem, tree: CandidateTree) -> None:
+    def __init__(self, most: float, problem: SearchProblem, tree: RegionTree) -> None:
         self.most, self.x = most, problem.contacts.points[:, 0]
         self.lower = tree.boxes(self.x[:, None])[0][:, 0]
 
@@ -219,19 +219,8 @@ def test_add_control_experiment(
     behaves: bool, problem: GraspProblem, grasp: Grasp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def wishful_control(*_: object) -> ControlExperiment:
-        numbers, yes = np.ones(1), np.array([True])
-        return ControlExperiment(
-            name="wishful",
-            change="nothing at all",
-            wrenches=np.zeros(1, dtype=int),
-            phi=numbers,
-            caps=numbers,
-            slips=numbers,
-            spins=numbers,
-            held=np.array([behaves]),
-            expected=yes,
-            counted=yes,
-        )
+        outcome = ControlOutcome(wrench=0, phi=1.0, cap=1.0, slip=1.0, held=behaves, expected=True, counted=True)
+        return ControlExperiment(name="wishful", change="nothing at all", outcomes=(outcome,))
 
     assert isinstance(problem.rigid_object, RigidObject)
     monkeypatch.setattr(validation, "displacement_control", wishful_control)  # a call in validation.py

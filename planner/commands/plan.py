@@ -145,15 +145,16 @@ def plan_command(options: Options, console: Console, command: str | None = None)
         problem, grasps = _plan(options, out.parent, report, log, console, ending)
         ending.keep()
         files = [numbered(out, number) for number in range(1, len(grasps) + 1)]
-        for file, each in zip(files, grasps, strict=True):
-            write_grasp(file, replace(each, command=command))
+        documents = [
+            write_grasp(file, replace(each, command=command)) for file, each in zip(files, grasps, strict=True)
+        ]
         grasp = grasps[0]
         log.end(grasp.status)
     with_pads = None if console.quiet else planned_with_pads(problem, grasp, ending.left, ending)
     report.grasp(grasp, out, with_pads)
     report.others(grasps[1:], files[1:], options.apart)
     if options.json:
-        write_json(console, plan_summary(grasps, files))
+        write_json(console, plan_summary(grasp, files, documents))
     if grasp.status is Status.OPTIMAL:
         return ExitCode.DONE
     return ExitCode.INFEASIBLE if grasp.status is Status.INFEASIBLE else ExitCode.LIMIT

@@ -3,6 +3,7 @@
 JSON has no number that is not finite; null stands for it.
 """
 
+from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
 from typing import TypeVar
@@ -10,12 +11,16 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
+from planner.arrays import Floats, Indices, Mask
 from planner.errors import GraspFileError
 
 MOST_BYTES = 2**26
 """Largest document: room for half a million candidates. As values it takes two dozen times the memory."""
 
 T = TypeVar("T")
+
+Column = Sequence[object] | Floats | Indices | Mask
+"""One value for every row of a table."""
 
 
 class Header(msgspec.Struct, frozen=True):
@@ -51,6 +56,24 @@ def encode_json(value: object) -> bytes:
 def finite_or_none(value: float) -> float | None:
     """The number, or None where JSON has none for it."""
     return value if isfinite(value) else None
+
+
+def as_rows(kind: type[T], **columns: Column) -> tuple[T, ...]:
+    """The rows of a table as plain values, null for what is not finite.
+
+    Args:
+        kind: What a row is, made from its values by name.
+        columns: By the names of the values.
+    """
+    lists = (column.tolist() if isinstance(column, np.ndarray) else column for column in columns.values())
+    return tuple(
+        kind(**{name: _or_null(value) for name, value in zip(columns, row, strict=True)})
+        for row in zip(*lists, strict=True)
+    )
+
+
+def _or_null(value: object) -> object:
+    return finite_or_none(value) if isinstance(value, float) else value
 
 
 def _plain(value: object) -> object:

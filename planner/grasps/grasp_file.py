@@ -63,18 +63,22 @@ def numbered(path: Path, number: int) -> Path:
     return path.with_name(f"{stem}.{number}{suffix}")
 
 
-def write_grasp(path: Path | str, grasp: Grasp) -> None:
+def write_grasp(path: Path | str, grasp: Grasp) -> GraspDocument:
     """Write a grasp.
 
     Args:
         path: Ends in `.json`; by convention in `.grasp.json`.
         grasp: What to write.
 
+    Returns:
+        What the file says.
+
     Raises:
         OutputError: When the folder cannot be written, or the file would be larger than what is read.
     """
     path = Path(path)
-    text = document_text(document_of(grasp, path), indent=2).decode()
+    document = _document(grasp, path)
+    text = document_text(document, indent=2).decode()
     content = re.sub(ON_ONE_LINE, lambda row: " ".join(row.group().split()), text).encode()
     if len(content) > MOST_BYTES:
         raise OutputError(
@@ -82,6 +86,7 @@ def write_grasp(path: Path | str, grasp: Grasp) -> None:
             f"{MOST_BYTES} bytes, the most that is read; plan on fewer candidates"
         )
     write_atomically(path, content)
+    return document
 
 
 def read_grasp(path: Path | str) -> Grasp:
@@ -101,7 +106,7 @@ def read_grasp(path: Path | str) -> Grasp:
     return grasp
 
 
-def document_of(grasp: Grasp, path: Path) -> GraspDocument:
+def _document(grasp: Grasp, path: Path) -> GraspDocument:
     """What a grasp file at that path says, which names other files relative to its folder."""
     contacts = grasp.contacts
     return GraspDocument(

@@ -13,9 +13,14 @@ from planner.arrays import Floats, Mask
 from planner.candidates.candidates import require_one_torsion
 from planner.contacts import MOST_TORSION
 from planner.errors import LimitsError
-from planner.limits.values import LARGEST, positive, vector
 from planner.objects.vectors import norm, unit
 from planner.search.problem import MOST_FINGERS
+
+LARGEST = 1e6
+"""Largest accepted length [m] or ratio."""
+
+DIMENSIONS = (2, 3)
+"""Coordinates of a point: in the plane, in space."""
 
 LEAST_NORMAL = 1e-6
 """Least length of a normal that says a direction; the greatest is LARGEST."""
@@ -35,7 +40,7 @@ class Zone(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     """Shape (d,) [m]."""
 
     def __post_init__(self) -> None:
-        lower, upper = vector("lower", self.lower), vector("upper", self.upper)
+        lower, upper = _vector("lower", self.lower), _vector("upper", self.upper)
         if len(lower) != len(upper) or not (lower < upper).all():
             raise LimitsError(
                 f"a box reaches from lower {list(self.lower)} to upper {list(self.upper)}; every coordinate of lower "
@@ -64,14 +69,14 @@ class Table(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     """Along the unit normal [m]; the lowest point of the object where left out."""
 
     def __post_init__(self) -> None:
-        length = norm(vector("table.normal", self.normal))
+        length = norm(_vector("table.normal", self.normal))
         if not LEAST_NORMAL <= length <= LARGEST:
             raise LimitsError(
                 f"table.normal is {list(self.normal)}; its length must be between {LEAST_NORMAL:g} and {LARGEST:g}"
             )
         if self.height is not None and not abs(self.height) <= LARGEST:
             raise LimitsError(f"table.height is {self.height}; it must be finite, at most {LARGEST:g} m in magnitude")
-        positive("table.clearance", self.clearance)
+        _positive("table.clearance", self.clearance)
 
     @property
     def up(self) -> Floats:
@@ -93,8 +98,8 @@ class Approach(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """How far the fingertip comes [m]."""
 
     def __post_init__(self) -> None:
-        positive("approach.radius", self.radius)
-        positive("approach.length", self.length)
+        _positive("approach.radius", self.radius)
+        _positive("approach.length", self.length)
 
 
 class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -121,7 +126,7 @@ class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     """Or the radius of the disc that it presses flat [m]."""
 
     def __post_init__(self) -> None:
-        positive("a finger's strength", self.strength)
+        _positive("a finger's strength", self.strength)
         require_one_torsion(self.torsion, self.patch, LimitsError)
         for name, length in (("torsion", self.torsion), ("patch", self.patch)):
             if length is not None and not 0 <= length <= MOST_TORSION:
@@ -173,3 +178,28 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     def strengths(self) -> Floats:
         """Relative strength of every finger, shape (fingers,)."""
         return np.array([finger.strength for finger in self.fingers])
+
+
+def _positive(name: str, value: float) -> float:
+    """A positive finite number.
+
+    Raises:
+        LimitsError: On any other number.
+    """
+    if not 0 < value <= LARGEST:
+        raise LimitsError(f"{name} is {value}; it must be positive and at most {LARGEST:g}")
+    return value
+
+
+def _vector(name: str, values: tuple[float, ...]) -> Floats:
+    """Two or three numbers, infinite ones included, as an array.
+
+    Raises:
+        LimitsError: On another count, or on what is no number.
+    """
+    array = np.array(values, dtype=float)
+    if len(array) not in DIMENSIONS:
+        raise LimitsError(f"{name} has {len(array)} numbers; it must have 3, or 2 for a planar object")
+    if np.isnan(array).any():
+        raise LimitsError(f"{name} is {list(values)}; every coordinate must be a number")
+    return array

@@ -26,9 +26,8 @@ from planner.search.infeasible import impossible_direction
 from planner.search.local_search import STARTS, add_vertex_cuts, evaluate_below, improve, random_subset
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.regions.candidate_tree import build_tree
-from planner.search.regions.frontier import Frontier, split
+from planner.search.regions.rows import BoundedRows, Frontier, split
 from planner.search.result import Progress, SearchResult, Status, relative_gap
 from planner.search.settings import SearchSettings
 from planner.search.two_fingers import line_bounds, pairs
@@ -185,8 +184,7 @@ class BranchAndBound:
     def start_incumbent(self) -> None:
         """Local search from random subsets: first among few spread candidates, then among all."""
         generator = np.random.default_rng(self.method.seed)
-        count = len(self.problem.contacts)
-        few = np.sort(self.tree.order[:: -(-count // FEW)])
+        few = np.sort(self.tree.spread(FEW))
         for _ in range(STARTS):
             subset = random_subset(self.problem, generator)
             if subset is None:
@@ -226,7 +224,7 @@ class BranchAndBound:
             if self.halted():
                 self.frontier.push(leaves[done:])  # still open: the bound must not forget them
                 return
-            self.evaluate(np.sort(self.tree.order[self.tree.start[nodes]]))
+            self.evaluate(np.sort(self.tree.contact[nodes]))
 
     def unpruned(self, rows: BoundedRows) -> BoundedRows:
         """The rows whose bounds exceed the threshold; the bounds of the others are remembered with their cuts."""

@@ -12,7 +12,7 @@ but the bound holds whatever their source.
 import numpy as np
 
 from planner.arrays import Floats, Indices
-from planner.search.compiled.capacities import compiled_capacities
+from planner.search.compiled.compile import compiled_capacities
 from planner.search.problem import SearchProblem
 
 FIRST_CUTS = 256

@@ -19,9 +19,8 @@ from planner.search.constraints.every_grasp import on_every_grasp
 from planner.search.cuts import CutTable
 from planner.search.node_bounds import NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import BoundedRows
 from planner.search.regions.candidate_tree import build_tree
-from planner.search.regions.frontier import Frontier, split
+from planner.search.regions.rows import BoundedRows, Frontier, split
 from planner.search.result import SearchResult, Status
 
 ROUNDING = 1e-10
@@ -91,7 +90,7 @@ class _Walk:
 
     def pruned(self, cuts: CutTable, subsets: BoundedRows) -> Mask:
         """Which cuts prune which rows of single candidates, in float64, shape (rows, cuts)."""
-        sums = cuts.values[self.tree.order[self.tree.start[subsets.nodes]]].sum(axis=1)
+        sums = cuts.values[self.tree.contact[subsets.nodes]].sum(axis=1)
         return np.asarray(sums <= self.threshold * (1 + ROUNDING))
 
 

@@ -17,14 +17,14 @@ from scipy.cluster.hierarchy import leaves_list, ward
 from planner.arrays import Indices, Mask, Singles
 from planner.search.compiled.node_bounds import BLOCK, NO_BOUND, add_columns, bound_rows
 from planner.search.cuts import CutTable
-from planner.search.regions.bounded_rows import BoundedRows
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
+from planner.search.regions.rows import BoundedRows
 
 FIRST_CUTS = 256
 """Columns of the table at the start; doubled when full."""
 
 SPREAD = 64
-"""Candidates by whose values cuts are compared."""
+"""Contacts by whose values cuts are compared."""
 
 GROWTH = 1.5
 """Cuts are grouped again when their number has grown by this factor."""
@@ -48,12 +48,11 @@ RAISED = 1 + 1e-6
 class NodeBounds:
     """U for all nodes, extended as the cut table grows."""
 
-    def __init__(self, tree: CandidateTree, cuts: CutTable) -> None:
+    def __init__(self, tree: RegionTree, cuts: CutTable) -> None:
         self._tree, self._cuts = tree, cuts
-        self._candidates = tree.order[tree.start]
-        self._spread = tree.order[:: -(-len(tree.order) // SPREAD)]
-        self._maxima = np.full((len(tree.start), FIRST_CUTS), NO_BOUND, dtype=np.float32)
-        self._block_minima = np.full((len(tree.start), FIRST_CUTS // BLOCK), NO_BOUND, dtype=np.float32)
+        self._spread = tree.spread(SPREAD)
+        self._maxima = np.full((len(tree.left), FIRST_CUTS), NO_BOUND, dtype=np.float32)
+        self._block_minima = np.full((len(tree.left), FIRST_CUTS // BLOCK), NO_BOUND, dtype=np.float32)
         self._cut_of_column = np.empty(0, dtype=np.int64)
         self._grouped = BLOCK
         self._threads = ThreadPoolExecutor(CORES)
@@ -66,7 +65,7 @@ class NodeBounds:
         if known == count:
             return
         values = RAISED * self._cuts.values[:, known:]
-        add_columns(self._tree.left, self._candidates, values, self._maxima, self._block_minima, known)
+        add_columns(self._tree.left, self._tree.contact, values, self._maxima, self._block_minima, known)
         self._cut_of_column = np.append(self._cut_of_column, np.arange(known, count))
         if GROWTH * self._grouped <= count <= MOST_GROUPED:
             self._group()

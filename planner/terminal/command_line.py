@@ -14,8 +14,7 @@ from typing import TypeVar, Union
 import tyro
 
 from planner.errors import RhograspError
-from planner.terminal.console import Console
-from planner.terminal.heartbeat import heartbeat
+from planner.terminal.console import Console, heartbeat
 from planner.terminal.interruption import INTERRUPTED
 
 

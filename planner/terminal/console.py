@@ -7,7 +7,9 @@ callback `observe(what, done, total)`; `Console.count` is one.
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Thread
 from time import perf_counter
 
 from planner.terminal.progress import PATIENCE, Pace, progress_text
@@ -17,6 +19,9 @@ REFRESH = 0.1
 
 SELDOM = 5.0
 """Seconds between two plain lines [s]."""
+
+BEAT = 0.5
+"""Seconds between two looks at whether a plain line is due [s]."""
 
 
 class Console:
@@ -115,3 +120,21 @@ class Console:
 def _columns() -> int:
     """Width of the terminal; some do not know theirs and say 0."""
     return os.get_terminal_size(sys.stderr.fileno()).columns or 80
+
+
+@contextmanager
+def heartbeat(console: Console) -> Iterator[None]:
+    """Let the console say that work goes on until the block ends, also where the work cannot: from another thread."""
+    over = Event()
+
+    def beat() -> None:
+        while not over.wait(BEAT):
+            console.beat()
+
+    thread = Thread(target=beat, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()

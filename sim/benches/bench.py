@@ -41,7 +41,7 @@ class BenchOutcome:
     """Named largest force of a fingertip before the tugs [N]."""
 
     preload: Floats
-    """Constant push of each fingertip, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
+    """Constant push of each fingertip, body frame, shape (contacts, 3) [N]; zero if these contacts cannot squeeze."""
 
     translations: Floats
     """Largest displacement of the body's origin at any look, shape (simulations,) [m]."""

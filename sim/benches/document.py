@@ -4,6 +4,7 @@ from pathlib import Path
 
 import msgspec
 
+from planner.files.json_document import as_rows
 from planner.files.versioned_document import write_document
 from sim.benches.bench import BenchOutcome
 from sim.benches.settings import BenchSettings
@@ -13,18 +14,15 @@ FORMAT, FORMAT_VERSION = "rhograsp.bench", 1
 
 
 class TugRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """One simulation: the settings' tugs of the same number."""
+    """One simulation of a `BenchOutcome`: the settings' tugs of the same number."""
 
     translation: float
-    """Largest displacement of the body's origin at any look [m]."""
     rotation: float
-    """Largest rotation at any look [rad]."""
     touching: tuple[bool, ...]
-    """Which fingertips touch the object at the end."""
 
 
 class BenchDocument(msgspec.Struct, frozen=True, kw_only=True):
-    """The whole document."""
+    """A `BenchOutcome`, whose values mean what they mean there, simulation by simulation."""
 
     format: str
     format_version: int
@@ -33,36 +31,31 @@ class BenchDocument(msgspec.Struct, frozen=True, kw_only=True):
     object: ObjectRecord
     passed: bool
     reasons: tuple[str, ...]
-    """Why not; empty when passed."""
     squeeze: float
-    """Named largest force of a fingertip before the tugs [N]."""
     preload: tuple[tuple[float, float, float], ...]
-    """Constant push of each fingertip in the body frame [N]."""
     tip_radius: float
-    """[m]"""
     simulations: tuple[TugRecord, ...]
     settings: BenchSettings
-    """Name, world, fingers, tugs and thresholds."""
     versions: dict[str, str]
-    """Versions of the packages that can change the outcome."""
 
 
 def to_document(outcome: BenchOutcome, *, grasp: str | None = None) -> BenchDocument:
     """The outcome as plain values; `grasp` names the grasp file."""
-    rows = zip(outcome.translations.tolist(), outcome.rotations.tolist(), outcome.touching.tolist(), strict=True)
     return BenchDocument(
         format=FORMAT,
         format_version=FORMAT_VERSION,
         grasp=grasp,
-        object=ObjectRecord(sha256=outcome.rigid_object.sha256, body=outcome.rigid_object.body),
+        object=ObjectRecord.of(outcome.rigid_object),
         passed=outcome.passed,
         reasons=outcome.reasons,
         squeeze=outcome.squeeze,
         preload=tuple((x, y, z) for x, y, z in outcome.preload.tolist()),
         tip_radius=outcome.tip_radius,
-        simulations=tuple(
-            TugRecord(translation=translation, rotation=rotation, touching=tuple(touching))
-            for translation, rotation, touching in rows
+        simulations=as_rows(
+            TugRecord,
+            translation=outcome.translations,
+            rotation=outcome.rotations,
+            touching=[tuple(row) for row in outcome.touching.tolist()],
         ),
         settings=outcome.settings,
         versions=outcome.versions,

@@ -78,7 +78,7 @@ def _document(validation: Path, grasp: "Grasp") -> dict[str, Any]:
     """The content of a validation file, which is of this grasp."""
     import msgspec
 
-    from sim.validation.reader import read_validation_of  # here: a page without a measurement needs no simulator
+    from sim.validation.document import read_validation_of  # here: a page without a measurement needs no simulator
 
     content: dict[str, Any] = msgspec.to_builtins(read_validation_of(validation, grasp))
     return content

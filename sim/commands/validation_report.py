@@ -7,7 +7,7 @@ import numpy as np
 from planner.arrays import Mask
 from sim.scene.units import WHAT_R0_IS
 from sim.trial.measurement import Measurement
-from sim.validation.beyond import Beyond
+from sim.validation.beyond import Loads
 from sim.validation.critical_force import CriticalForce
 from sim.validation.force_agreement import ForceAgreement
 from sim.validation.validation import Validation
@@ -30,8 +30,7 @@ def validation_lines(validation: Validation) -> list[str]:
     lines += [f"control     {control.change}: {control.outcome()}" for control in validation.controls]
     if validation.critical_force is not None:
         lines += _measured(validation.critical_force)
-    if validation.beyond is not None:
-        lines += _beyond(validation.beyond)
+    lines += [_beyond(loads) for loads in validation.beyond]
     lines.append(f"verdict     {validation.verdict.upper()} ({protocol.name})")
     return lines + [f"because     {reason}" for reason in validation.reasons]
 
@@ -110,9 +109,8 @@ def _measured(critical: CriticalForce) -> list[str]:
     ]
 
 
-def _beyond(beyond: Beyond) -> list[str]:
-    return [
-        f"beyond      {kind}: {outcome.held.sum()} of {len(outcome.held)} held, "
-        f"{'all' if must_hold else 'none'} must; largest slip {outcome.slip.max():.2g} R0"
-        for kind, outcome, must_hold in beyond.kinds()
-    ]
+def _beyond(loads: Loads) -> str:
+    return (
+        f"beyond      {loads.kind}: {loads.held} of {loads.loads} held, {'all' if loads.must_hold else 'none'} must; "
+        f"largest slip {max(loads.slips):.2g} R0"
+    )

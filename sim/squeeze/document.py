@@ -4,6 +4,7 @@ from pathlib import Path
 
 import msgspec
 
+from planner.files.json_document import finite_or_none
 from planner.files.versioned_document import write_document
 from planner.objects.rigid_object import RigidObject
 from sim.squeeze.squeeze import AGREEMENT, FORCE_TOLERANCE, SqueezeForce
@@ -14,7 +15,8 @@ FORMAT, FORMAT_VERSION = "rhograsp.squeeze", 1
 
 
 class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
-    """The whole document. A squeeze_force is not rho."""
+    """A `SqueezeForce`, whose values mean what they mean there: null for what is infinite, or for what was not measured
+    because no constant preload holds every wrench. A squeeze_force is not rho."""
 
     format: str
     format_version: int
@@ -22,28 +24,21 @@ class SqueezeDocument(msgspec.Struct, frozen=True, kw_only=True):
     """Name of the grasp file; null if the grasp came from memory."""
     object: ObjectRecord
     confirmed: bool
-    """Whether prediction and measurement agree."""
     rho: float
     """Predicted force cap of fingers that adapt, for comparison [N]."""
     squeeze_force: float | None
-    """Predicted need of fingers that do not adapt [N]; null if no constant preload holds every wrench."""
+    """Predicted [N]."""
     preload: tuple[tuple[float, float, float], ...] | None
-    """Constant push of each finger in the body frame [N]."""
+    """As predicted, in the body frame [N]."""
     measured_lower: float | None
-    """Largest force with which some wrench slipped [N]; 0 if none was seen to, null if nothing was measured because no
-    constant preload holds every wrench."""
     measured_upper: float | None
-    """Least force with which every wrench held [N]; null if none was seen to, or nothing was measured."""
     critical_wrench: int | None
-    """The wrench that slipped most at measured_lower."""
     force_tolerance: float
-    """A held finger feels no more than its share when it exceeds it by less than this part."""
+    """FORCE_TOLERANCE when it was measured."""
     agreement: float
-    """Prediction and measurement agree when they differ by less than this part."""
+    """AGREEMENT when it was measured."""
     protocol: ValidationProtocol
-    """Name, settings and thresholds."""
     versions: dict[str, str]
-    """Versions of the packages that can change the outcome."""
 
 
 def to_document(squeeze: SqueezeForce, rigid_object: RigidObject, rho: float, grasp: str | None) -> SqueezeDocument:
@@ -53,13 +48,13 @@ def to_document(squeeze: SqueezeForce, rigid_object: RigidObject, rho: float, gr
         format=FORMAT,
         format_version=FORMAT_VERSION,
         grasp=grasp,
-        object=ObjectRecord(sha256=rigid_object.sha256, body=rigid_object.body),
+        object=ObjectRecord.of(rigid_object),
         confirmed=squeeze.confirmed,
         rho=rho,
         squeeze_force=predicted.squeeze_force if feasible else None,
         preload=tuple((x, y, z) for x, y, z in predicted.preload.tolist()) if feasible else None,
         measured_lower=squeeze.lower if feasible else None,
-        measured_upper=squeeze.upper if squeeze.upper < float("inf") else None,
+        measured_upper=finite_or_none(squeeze.upper),
         critical_wrench=squeeze.critical_wrench,
         force_tolerance=FORCE_TOLERANCE,
         agreement=AGREEMENT,

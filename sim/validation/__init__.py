@@ -5,7 +5,7 @@ control_experiment, control_experiments     a changed experiment and what theory
 critical_force    the measured cap of every wrench
 beyond            loads beside the vertices; wrench_samples: which
 force_agreement   measured against predicted forces
-document, reader  the file
+document          the file
 
-To add a control experiment: a function in `control_experiments` that returns a `Control`, called in `validation`.
+A control experiment is a function in `control_experiments` that returns a `ControlExperiment`; `validation` calls it.
 """

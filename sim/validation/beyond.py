@@ -31,50 +31,47 @@ SIMULATIONS = 2 * SAMPLES + 1 + 3 + RANDOM_PATHS
 """At most so many are run."""
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Beyond:
-    """Outcomes beyond the vertices."""
+@dataclass(frozen=True, kw_only=True)
+class Loads:
+    """Loads of one kind other than the vertices, and whether they were held."""
 
-    interior: Measurement
-    """Random wrenches inside W_R; must be held."""
+    kind: str
+    """In words."""
 
-    boundary: Measurement
-    """Random wrenches on the boundary of W_R; must be held."""
+    loads: int
+    """How many were tried."""
 
-    paths: Measurement | None
-    """Loads that turn inside W_R, at the end of one turn; must be held. None where W_R has room for none."""
+    held: int
+    """How many of them were held."""
 
-    outside: Measurement
-    """The critical wrench enlarged, with the cap at rho; must slip."""
+    must_hold: bool
+    """Else all must slip."""
 
-    def kinds(self) -> tuple[tuple[str, Measurement, bool], ...]:
-        """Every kind of load that was tried, in words, its outcomes, and whether they must hold."""
-        paths = (("loads turning inside W_R", self.paths, True),) if self.paths is not None else ()
-        return (
-            ("wrenches inside W_R", self.interior, True),
-            ("wrenches on the boundary of W_R", self.boundary, True),
-            *paths,
-            (f"{OUTSIDE:g} critical wrench with the cap at rho", self.outside, False),
-        )
+    slips: tuple[float, ...]
+    """Largest slip of a loaded finger over R0, per load."""
 
-    def objections(self) -> tuple[str, ...]:
-        """One sentence per kind of load that was not held."""
-        return tuple(
-            f"{(~outcome.held).sum()} of {len(outcome.held)} {kind} were not held (largest slip "
-            f"{outcome.slip.max():.2g} R0)"
-            for kind, outcome, must_hold in self.kinds()
-            if must_hold and not outcome.held.all()
-        )
+    @classmethod
+    def of(cls, kind: str, outcome: Measurement, *, must_hold: bool) -> "Loads":
+        """What was measured of them, one simulation per load."""
+        held, slips = outcome.held, tuple(outcome.slip.tolist())
+        return cls(kind=kind, loads=len(held), held=int(held.sum()), must_hold=must_hold, slips=slips)
 
-    def doubts(self) -> tuple[str, ...]:
-        """Why the experiment is not to be trusted, if what is outside was held."""
-        if not self.outside.held.any():
-            return ()
-        return (f"{OUTSIDE:g} times the critical wrench was held with the cap at rho: the experiment cannot fail",)
+    def objection(self) -> str | None:
+        """Why rho is refuted; None unless some slipped that must hold."""
+        if not self.must_hold or self.held == self.loads:
+            return None
+        slipped = self.loads - self.held
+        return f"{slipped} of {self.loads} {self.kind} were not held (largest slip {max(self.slips):.2g} R0)"
+
+    def doubt(self) -> str | None:
+        """Why the experiment is not to be trusted; None unless some were held that must slip."""
+        if self.must_hold or not self.held:
+            return None
+        return f"{self.kind} was held: the experiment cannot fail"
 
 
-def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda _: None) -> Beyond:
-    """Measure wrenches inside, on and outside W_R, and loads that turn inside.
+def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda _: None) -> tuple[Loads, ...]:
+    """Measure wrenches inside, on and outside W_R, and loads that turn inside, where W_R has room for any.
 
     Args:
         experiment: Set up for the rho of its grasp.
@@ -92,12 +89,15 @@ def measure_beyond(experiment: Experiment, seed: int = 0, observe: Done = lambda
     caps = np.append(np.full(2 * SAMPLES, factor), 1.0)
     outcome = experiment.measure(np.vstack([inside, boundary, outside]), caps, observe)
     paths = np.concatenate([rotating_forces(wrenches), rotating_wrenches(wrenches, RANDOM_PATHS, rng)])
-    return Beyond(
-        interior=outcome.rows(slice(0, SAMPLES)),
-        boundary=outcome.rows(slice(SAMPLES, 2 * SAMPLES)),
-        paths=measure_paths(experiment, paths, factor) if len(paths) else None,
-        outside=outcome.rows(slice(-1, None)),
-    )
+    beyond = [
+        Loads.of("wrenches inside W_R", outcome.rows(slice(0, SAMPLES)), must_hold=True),
+        Loads.of("wrenches on the boundary of W_R", outcome.rows(slice(SAMPLES, 2 * SAMPLES)), must_hold=True),
+    ]
+    if len(paths):
+        turned = measure_paths(experiment, paths, factor)
+        beyond.append(Loads.of("loads turning inside W_R", turned, must_hold=True))
+    enlarged = f"{OUTSIDE:g} critical wrench with the cap at rho"
+    return (*beyond, Loads.of(enlarged, outcome.rows(slice(-1, None)), must_hold=False))
 
 
 def measure_paths(experiment: Experiment, paths: Floats, cap: float) -> Measurement:

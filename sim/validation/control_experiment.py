@@ -4,12 +4,49 @@ An experiment that cannot fail proves nothing, nor does one that fails by itself
 predicted, the experiment is not to be trusted, and neither is its verdict.
 """
 
-from dataclasses import dataclass
-
-from planner.arrays import Floats, Indices, Mask
+from dataclasses import dataclass, field
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
+class ControlOutcome:
+    """One simulation of a control."""
+
+    wrench: int | None
+    """Index among the vertices; None for no wrench."""
+
+    phi: float | None
+    """Predicted cap under the change [N]; None where no cap suffices."""
+
+    cap: float
+    """Simulated cap [N]."""
+
+    slip: float
+    """Largest slip of a loaded finger over R0."""
+
+    spin: float = 0.0
+    """Largest spin of a loaded soft finger [rad]."""
+
+    held: bool
+    """Whether it was held."""
+
+    expected: bool
+    """Whether the theory says it is held."""
+
+    counted: bool
+    """Whether the prediction is far enough from the cap to be called."""
+
+    @property
+    def wrong(self) -> bool:
+        """Whether it contradicts its prediction."""
+        return self.counted and self.held != self.expected
+
+    @property
+    def seen(self) -> str:
+        """What was measured, in words; a spin where there is one."""
+        return f"slip {self.slip:.2g} R0" + (f", spin {self.spin:.2g} rad" if self.spin else "")
+
+
+@dataclass(frozen=True, kw_only=True)
 class ControlExperiment:
     """One change to the experiment with its predicted and its observed outcome, per simulation."""
 
@@ -18,66 +55,40 @@ class ControlExperiment:
     change: str
     """What was changed, in words."""
 
-    wrenches: Indices
-    """Index of each simulation's wrench, shape (simulations,); -1 for no wrench."""
+    behaved: bool = field(init=False)
+    """Whether everything that counts turned out as predicted: follows from the outcomes."""
 
-    phi: Floats
-    """Predicted cap under the change, shape (simulations,) [N]; infinite where no cap suffices."""
+    outcomes: tuple[ControlOutcome, ...]
+    """Empty if the control is not possible on this grasp."""
 
-    caps: Floats
-    """Simulated cap, shape (simulations,) [N]."""
-
-    slips: Floats
-    """Largest slip of a loaded finger over R0, shape (simulations,)."""
-
-    spins: Floats
-    """Largest spin of a loaded soft finger, shape (simulations,) [rad]."""
-
-    held: Mask
-    """Whether the simulation was held, shape (simulations,)."""
-
-    expected: Mask
-    """Whether the theory says it is held, shape (simulations,)."""
-
-    counted: Mask
-    """Whether the prediction is far enough from the cap to be called, shape (simulations,)."""
-
-    @property
-    def wrong(self) -> Mask:
-        """Simulations that contradict their prediction, shape (simulations,)."""
-        return self.counted & (self.held != self.expected)
-
-    @property
-    def behaved(self) -> bool:
-        """Whether everything that counts turned out as predicted."""
-        return not self.wrong.any()
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "behaved", not self._wrong)
 
     def outcome(self) -> str:
         """What happened, in words."""
-        if not len(self.held):
+        if not self.outcomes:
             return "not possible on this grasp"
-        slipped, held = (self.counted & ~self.held).sum(), (self.counted & self.held).sum()
-        words = [f"{count} {verb}" for count, verb in ((held, "held"), (slipped, "slipped")) if count]
-        near = (~self.counted).sum()
+        counted = [outcome.held for outcome in self.outcomes if outcome.counted]
+        held, near = sum(counted), len(self.outcomes) - len(counted)
+        words = [f"{count} {verb}" for count, verb in ((held, "held"), (len(counted) - held, "slipped")) if count]
         note = f" ({near} too near to call)" if near else ""
         if self.behaved:
             return f"{', '.join(words) or 'none counted'} as predicted{note}"
-        return f"{', '.join(words)}, of which {self.wrong.sum()} against the prediction{note}"
+        return f"{', '.join(words)}, of which {len(self._wrong)} against the prediction{note}"
 
     def doubt(self) -> str | None:
         """Why the experiment is not to be trusted; None if the control behaved."""
         if self.behaved:
             return None
-        first = int(self.wrong.argmax())
-        wrench = f"wrench {self.wrenches[first]}" if self.wrenches[first] >= 0 else "no load"
-        did = "held" if self.held[first] else "slipped"
+        first, counted = self._wrong[0], sum(outcome.counted for outcome in self.outcomes)
+        wrench = "no load" if first.wrench is None else f"wrench {first.wrench}"
+        did = "held" if first.held else "slipped"
+        need = "no cap suffices" if first.phi is None else f"phi is {first.phi:.5g} N"
         return (
-            f"control '{self.name}' did not behave ({self.change}): {self.wrong.sum()} of {self.counted.sum()} "
-            f"outcomes against the prediction; {wrench} {did} ({self._seen(first)}) with the cap at "
-            f"{self.caps[first]:.5g} N where phi is {self.phi[first]:.5g} N"
+            f"control '{self.name}' did not behave ({self.change}): {len(self._wrong)} of {counted} outcomes against "
+            f"the prediction; {wrench} {did} ({first.seen}) with the cap at {first.cap:.5g} N where {need}"
         )
 
-    def _seen(self, simulation: int) -> str:
-        """What a simulation showed, in words; a spin where there is one."""
-        slip, spin = float(self.slips[simulation]), float(self.spins[simulation])
-        return f"slip {slip:.2g} R0" + (f", spin {spin:.2g} rad" if spin else "")
+    @property
+    def _wrong(self) -> list[ControlOutcome]:
+        return [outcome for outcome in self.outcomes if outcome.wrong]

@@ -6,6 +6,7 @@ import numpy as np
 
 from planner.arrays import Floats
 from planner.contact_models.models import model_of
+from planner.files.json_document import Column, as_rows
 from planner.millimetres import in_mm
 from planner.progress import Done
 from sim.trial.experiment import Experiment, set_up
@@ -15,7 +16,7 @@ from sim.trial.measurement import Measurement
 from sim.trial.prediction import predicted_caps
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.trial import Trial
-from sim.validation.control_experiment import ControlExperiment
+from sim.validation.control_experiment import ControlExperiment, ControlOutcome
 from sim.validation.displacement import DisplacedGrasp, displaced_grasps
 
 
@@ -31,14 +32,7 @@ def cap_control(outcome: Measurement, grasp: LoadedGrasp, protocol: ValidationPr
     return ControlExperiment(
         name="cap",
         change=f"critical wrench {critical_wrench} with the cap at {protocol.control_factor:g} rho",
-        wrenches=np.array([critical_wrench]),
-        phi=np.array([grasp.rho]),
-        caps=outcome.caps,
-        slips=outcome.slip,
-        spins=outcome.spin,
-        held=outcome.held,
-        expected=np.array([False]),
-        counted=np.array([True]),
+        outcomes=_outcomes(outcome, wrench=[critical_wrench], phi=[grasp.rho], expected=[False], counted=[True]),
     )
 
 
@@ -63,18 +57,18 @@ def creep_control(
         decidable: Whether what acts keeps off the friction limit.
     """
     critical_wrench = grasp.critical_wrench
+    still = replace(outcome, held=outcome.held & (outcome.slip < protocol.creep_tolerance))
     load = f"these fingers cannot squeeze; {part:g} of critical wrench {critical_wrench}" if part else "no load"
     return ControlExperiment(
         name="creep",
         change=f"{load}; the slip must stay below {protocol.creep_tolerance:g} R0",
-        wrenches=np.array([critical_wrench if part else -1]),
-        phi=np.array([part * grasp.rho]),
-        caps=outcome.caps,
-        slips=outcome.slip,
-        spins=outcome.spin,
-        held=outcome.held & (outcome.slip < protocol.creep_tolerance),
-        expected=np.array([True]),
-        counted=np.array([decidable]),
+        outcomes=_outcomes(
+            still,
+            wrench=[critical_wrench if part else None],
+            phi=[part * grasp.rho],
+            expected=[True],
+            counted=[decidable],
+        ),
     )
 
 
@@ -101,14 +95,13 @@ def friction_control(experiment: Experiment, trial: Trial, observe: Done = lambd
     return ControlExperiment(
         name="friction",
         change=f"friction at {factor:.3g} of the planned, cap at {protocol.hold_factor:g} rho",
-        wrenches=np.arange(len(grasp.wrenches)),
-        phi=phi,
-        caps=outcome.caps,
-        slips=outcome.slip,
-        spins=outcome.spin,
-        held=outcome.held,
-        expected=phi < outcome.caps,
-        counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
+        outcomes=_outcomes(
+            outcome,
+            wrench=np.arange(len(grasp.wrenches)),
+            phi=phi,
+            expected=phi < outcome.caps,
+            counted=np.abs(phi / outcome.caps - 1) > protocol.ambiguity,
+        ),
     )
 
 
@@ -164,14 +157,13 @@ def _torsion_control(experiment: Experiment, factor: float) -> ControlExperiment
     return ControlExperiment(
         name="torsion",
         change=f"torsional friction at {factor:g} of the planned, cap at {protocol.hold_factor:g} rho",
-        wrenches=np.arange(len(planned.wrenches)),
-        phi=weak.phi,
-        caps=outcome.caps,
-        slips=outcome.slip,
-        spins=outcome.spin,
-        held=outcome.held,
-        expected=expected,
-        counted=clear & (expected == (barely.phi < outcome.caps)),
+        outcomes=_outcomes(
+            outcome,
+            wrench=np.arange(len(planned.wrenches)),
+            phi=weak.phi,
+            expected=expected,
+            counted=clear & (expected == (barely.phi < outcome.caps)),
+        ),
     )
 
 
@@ -204,32 +196,18 @@ def displacement_control(planned: LoadedGrasp, protocol: ValidationProtocol) -> 
         return ControlExperiment(
             name="displaced contact",
             change=f"{moved}, its own rho {grasp.rho:.5g} N",
-            wrenches=np.array([worst, worst]),
-            phi=grasp.phi[[worst, worst]],
-            caps=outcome.caps,
-            slips=outcome.slip,
-            spins=outcome.spin,
-            held=outcome.held,
-            expected=np.array([True, False]),
-            counted=np.array([True, True]),
+            outcomes=_outcomes(
+                outcome, wrench=[worst] * 2, phi=[grasp.rho] * 2, expected=[True, False], counted=[True] * 2
+            ),
         )
-    return _impossible("displaced contact", "no contact can move along its face and leave a grasp off its limits")
+    why = "no contact can move along its face and leave a grasp off its limits"
+    return ControlExperiment(name="displaced contact", change=why, outcomes=())
 
 
-def _impossible(name: str, why: str) -> ControlExperiment:
-    """A control that this grasp does not allow."""
-    numbers, answers = np.zeros(0), np.zeros(0, dtype=bool)
-    return ControlExperiment(
-        name=name,
-        change=why,
-        wrenches=np.zeros(0, dtype=int),
-        phi=numbers,
-        caps=numbers,
-        slips=numbers,
-        spins=numbers,
-        held=answers,
-        expected=answers,
-        counted=answers,
+def _outcomes(simulated: Measurement, **predicted: Column) -> tuple[ControlOutcome, ...]:
+    """What was seen in each simulation, beside what was predicted for it: the other values of `ControlOutcome`."""
+    return as_rows(
+        ControlOutcome, cap=simulated.caps, slip=simulated.slip, spin=simulated.spin, held=simulated.held, **predicted
     )
 
 

@@ -20,7 +20,7 @@ from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
 from sim.trial.workload import Workload
-from sim.validation.beyond import SIMULATIONS, Beyond, measure_beyond
+from sim.validation.beyond import SIMULATIONS, Loads, measure_beyond
 from sim.validation.control_experiment import ControlExperiment
 from sim.validation.control_experiments import (
     cap_control,
@@ -77,8 +77,8 @@ class Validation:
     critical_force: CriticalForce | None
     """Measured cap of every wrench, if asked for."""
 
-    beyond: Beyond | None
-    """Loads other than the vertices, if asked for."""
+    beyond: tuple[Loads, ...]
+    """Loads other than the vertices; empty if not asked for."""
 
     protocol: ValidationProtocol
 
@@ -143,7 +143,8 @@ def validate_contacts(
     limited = grasp.friction_limited(protocol.friction_margin)
     objections: tuple[str, ...] = experiment.static.reasons()
     doubts: tuple[str, ...] = ()
-    vertices = critical_force = beyond = None
+    vertices = critical_force = None
+    beyond: tuple[Loads, ...] = ()
     controls: tuple[ControlExperiment, ...] = ()
     if not objections:
         count = len(grasp.wrenches)
@@ -167,7 +168,8 @@ def validate_contacts(
         if thorough:
             part = work.part("loads beyond the vertices", SIMULATIONS)
             beyond = measure_beyond(experiment, observe=part)
-            objections, doubts = objections + beyond.objections(), doubts + beyond.doubts()
+            objections += tuple(objection for loads in beyond if (objection := loads.objection()))
+            doubts += tuple(doubt for loads in beyond if (doubt := loads.doubt()))
     return Validation(
         verdict=judge(objections, doubts),
         reasons=objections + doubts,

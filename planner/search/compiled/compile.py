@@ -8,6 +8,8 @@ from typing import Any
 
 from numba import njit
 
+from planner.contact_models.contact_model import ContactModel
+
 logger = logging.getLogger(__name__)
 
 
@@ -36,3 +38,9 @@ def compiled(signature: str, reorder: bool = False) -> Callable[[Callable[..., A
             return njit(signature, nogil=True, fastmath=reorder)(function)
 
     return compile_
+
+
+@cache
+def compiled_capacities(model: ContactModel) -> Callable[..., Any]:
+    """`ContactModel.capacities`, compiled."""
+    return compiled("(f8[:, :, ::1], f8[::1], f8[::1], f8[::1])")(model.capacities)

@@ -2,7 +2,8 @@
 
 Two grasps are alike when every contact of the one lies within a distance of some contact of the other. With d_i the
 distance from candidate i to the nearest contact of an earlier grasp, a subset is like that grasp iff max_i d_i is below
-the distance; so the maxima of d below each region tell which rows hold nothing else.
+the distance; so the maxima of d below each region tell which rows hold nothing else. That is for regions of candidates:
+along a patch d is not convex, and its maximum need not be at a corner.
 """
 
 from collections.abc import Sequence
@@ -11,13 +12,13 @@ import numpy as np
 
 from planner.arrays import Floats, Indices, Mask
 from planner.search.problem import SearchProblem
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 
 
 class Distinct:
     """A contact far from every contact of each earlier grasp; see `Constraint`."""
 
-    def __init__(self, problem: SearchProblem, tree: CandidateTree, earlier: Sequence[Indices], apart: float) -> None:
+    def __init__(self, problem: SearchProblem, tree: RegionTree, earlier: Sequence[Indices], apart: float) -> None:
         """
         Args:
             problem: Whose candidates are chosen from.

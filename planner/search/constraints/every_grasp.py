@@ -9,11 +9,11 @@ from collections.abc import Callable
 from planner.search.constraints.constraint import Constraint
 from planner.search.constraints.spacing import Spacing
 from planner.search.problem import SearchProblem
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 
-EVERY_GRASP: list[Callable[[SearchProblem, CandidateTree], Constraint]] = [Spacing]
+EVERY_GRASP: list[Callable[[SearchProblem, RegionTree], Constraint]] = [Spacing]
 
 
-def on_every_grasp(problem: SearchProblem, tree: CandidateTree) -> list[Constraint]:
+def on_every_grasp(problem: SearchProblem, tree: RegionTree) -> list[Constraint]:
     """The conditions of a problem."""
     return [constraint(problem, tree) for constraint in EVERY_GRASP]

@@ -10,13 +10,13 @@ import numpy as np
 
 from planner.arrays import Indices, Mask
 from planner.search.problem import SearchProblem
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.search.regions.region_tree import RegionTree
 
 
 class Spacing:
     """The distances of any two contacts that are wanted; see `Constraint`."""
 
-    def __init__(self, problem: SearchProblem, tree: CandidateTree) -> None:
+    def __init__(self, problem: SearchProblem, tree: RegionTree) -> None:
         self._needed = problem.pairs_are_limited
         self._least, self._most, self._points = problem.least_distance, problem.span, problem.contacts.points
         if self._needed:

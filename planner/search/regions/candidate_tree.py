@@ -5,12 +5,11 @@ longest side of its bounding box in (position, normal) space: small boxes, not e
 is the root; the two children of a node have consecutive numbers, larger than its own.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from planner.arrays import Floats, Indices, Mask
 from planner.search.problem import SearchProblem
+from planner.search.regions.region_tree import RegionTree
 
 SMALLEST = 1e-12
 """Diameter of a node whose candidates coincide."""
@@ -19,52 +18,12 @@ HALVED_AFTER = 48
 """Depth below which nodes are split into equal counts: crowds of almost equal candidates cannot make a deep tree."""
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class CandidateTree:
-    """Nodes over n candidates, numbered parents first; one tree for each kind of finger, their roots first."""
+def build_tree(problem: SearchProblem) -> RegionTree:
+    """Split the candidates of each kind of finger by position and normal until every leaf holds one.
 
-    order: Indices
-    """Candidate at each position, shape (n,)."""
-
-    start: Indices
-    """First position of each node, shape (nodes,)."""
-
-    stop: Indices
-    """One past the last position of each node, shape (nodes,)."""
-
-    left: Indices
-    """Left child of each node (the right one is the next number), -1 for leaves, shape (nodes,)."""
-
-    diameters: Floats
-    """Diagonal of each node's bounding box in (position, normal) space, lengths in radii of the candidate cloud, shape
-    (nodes,); zero for leaves, positive for all others."""
-
-    first_row: Indices
-    """The roots, once for each finger: the row of nodes that stands for every subset, shape (m,)."""
-
-    @property
-    def sizes(self) -> Indices:
-        """Number of candidates below each node, shape (nodes,)."""
-        return self.stop - self.start
-
-    def boxes(self, points: Floats) -> tuple[Floats, Floats]:
-        """Least and greatest coordinates of the points below each node.
-
-        Args:
-            points: One for each candidate, shape (n, d).
-
-        Returns:
-            Two arrays of shape (nodes, d).
-        """
-        lower, upper = points[self.order[self.start]], points[self.order[self.start]]
-        for node in np.flatnonzero(self.left >= 0)[::-1]:
-            children = slice(self.left[node], self.left[node] + 2)
-            lower[node], upper[node] = lower[children].min(axis=0), upper[children].max(axis=0)
-        return lower, upper
-
-
-def build_tree(problem: SearchProblem) -> CandidateTree:
-    """Split the candidates of each kind of finger by position and normal until every leaf holds one."""
+    The diameter of a region is the diagonal of its bounding box in (position, normal) space, lengths in radii of the
+    candidate cloud.
+    """
     points = problem.contacts.points - problem.contacts.points.mean(axis=0)
     radius = float(np.abs(points).max()) or 1.0
     features = np.hstack([points / radius, problem.contacts.normals])
@@ -84,11 +43,11 @@ def build_tree(problem: SearchProblem) -> CandidateTree:
             np.stack([middles, stops[inner]], axis=1).ravel(),
         )
     start, stop, left, diameter = (np.concatenate(column) for column in zip(*levels, strict=True))
-    return CandidateTree(
+    return RegionTree(
         order=order,
-        start=start,
-        stop=stop,
         left=left,
+        contact=order[start],
+        sizes=stop - start,
         diameters=diameter,
         first_row=problem.kind_of_finger,
     )

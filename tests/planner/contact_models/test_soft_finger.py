@@ -10,7 +10,7 @@ from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contact_models.soft_finger import EVEN_DISC, SOFT_FINGER, torsion_of_patch
 from planner.contacts import Contacts, contact_frames
 from planner.errors import ContactError
-from planner.search.compiled.capacities import compiled_capacities
+from planner.search.compiled.compile import compiled_capacities
 from planner.verification.capacities import soft_capacity
 from tests.strategies.force_problems import random_contacts, soft
 

@@ -6,7 +6,6 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from planner.arrays import Indices
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
 from planner.search.compiled.swaps import best_partner
@@ -14,9 +13,9 @@ from planner.search.cuts import CutTable
 from planner.search.finger_kind import FingerKind
 from planner.search.node_bounds import RAISED, NodeBounds
 from planner.search.problem import SearchProblem
-from planner.search.regions.bounded_rows import NO_CUT, BoundedRows
-from planner.search.regions.candidate_tree import CandidateTree, build_tree
-from planner.search.regions.frontier import split
+from planner.search.regions.candidate_tree import build_tree
+from planner.search.regions.region_tree import RegionTree
+from planner.search.regions.rows import NO_CUT, BoundedRows, split
 from tests.strategies.search_problems import random_problem
 
 PROBLEMS = [random_problem(seed) for seed in range(12)]
@@ -32,9 +31,10 @@ def table_of(problem: SearchProblem, cuts: int) -> CutTable:
     return table
 
 
-def below(tree: CandidateTree, node: int) -> Indices:
-    """Candidates below a node."""
-    return tree.order[tree.start[node] : tree.stop[node]]
+def below(tree: RegionTree, node: int) -> Indices:
+    """Candidates below a node, in their order."""
+    left = int(tree.left[node])
+    return tree.contact[[node]] if left < 0 else np.concatenate([below(tree, left), below(tree, left + 1)])
 
 
 def test_the_table_holds_the_support_function_over_the_load() -> None:
@@ -58,7 +58,7 @@ def test_every_row_is_bounded_by_its_smallest_sum_of_maxima() -> None:
             table.add(direction)
         bounds.extend()
         generator = np.random.default_rng(1)
-        rows = np.sort(generator.integers(0, len(tree.start), (200, problem.fingers)), axis=1)
+        rows = np.sort(generator.integers(0, len(tree.left), (200, problem.fingers)), axis=1)
         exact = np.array([min(sum(table.values[below(tree, node)].max(axis=0) for node in row)) for row in rows])
         threshold = float(np.median(exact))
         found = bounds.bound(BoundedRows.unbounded(rows), threshold)
@@ -109,7 +109,7 @@ def test_splitting_down_to_single_candidates_meets_every_subset_once() -> None:
             rows, met = tree.first_row[None], []
             while len(rows):
                 single = (tree.sizes[rows] == 1).all(axis=1)
-                met += [tuple(sorted(tree.order[tree.start[row]].tolist())) for row in rows[single]]
+                met += [tuple(sorted(tree.contact[row].tolist())) for row in rows[single]]
                 rows = rows[~single]
                 if len(rows):
                     rows = split(BoundedRows.unbounded(rows), tree).nodes
@@ -121,7 +121,7 @@ def test_coincident_candidates_make_no_deep_tree() -> None:
     problem = random_problem(2)
     same = problem.contacts.subset(np.zeros(2000, dtype=np.int64))
     tree = build_tree(replace(problem, contacts=same))
-    assert len(tree.start) == 2 * 2000 - 1
+    assert len(tree.left) == 2 * 2000 - 1
     depth, node = 0, 0
     while tree.left[node] >= 0:
         depth, node = depth + 1, int(tree.left[node])

@@ -14,7 +14,7 @@ from planner.grasps.grasp_file import read_grasp
 from planner.search.branch_and_bound import BranchAndBound
 from planner.search.certified import CertifiedSearch
 from planner.search.minimal_cuts import minimal_cuts
-from planner.search.regions.bounded_rows import BoundedRows
+from planner.search.regions.rows import BoundedRows
 from planner.search.result import SearchResult, Status
 from planner.verification.bound_check import Claim, check_bound
 from planner.verification.proof_check import certificate_of, with_checked_proof

@@ -5,11 +5,21 @@ from functools import cache
 from pathlib import Path
 
 import msgspec
+import numpy as np
 import pytest
 
 from planner.errors import OutputError
+from planner.files.json_document import as_rows
+from planner.files.versioned_document import document_text
 from sim.trial.protocol import ACTIVE
-from sim.validation.document import FORMAT, ValidationDocument, to_document, write_validation
+from sim.validation.document import (
+    FORMAT,
+    CapRecord,
+    ValidationDocument,
+    read_validation,
+    to_document,
+    write_validation,
+)
 from sim.validation.validation import Validation
 from sim.validation.verdict import Verdict
 from tests.strategies.planned_grasps import prism
@@ -50,6 +60,25 @@ def test_vertices_tell_which_finger_slipped_at_which_force() -> None:
     assert failed.slip == max(finger.slip for finger in failed.fingers if finger.loaded)
     assert failed.phi == pytest.approx(validation.grasp.phi[failed.wrench])
     assert failed.cap == pytest.approx(1.02 * validation.grasp.rho)
+
+
+def test_columns_become_rows_and_what_is_infinite_null() -> None:
+    rows = as_rows(CapRecord, wrench=range(2), phi=np.ones(2), lower=[0, 2], upper=np.array([2, np.inf]), ratio=[1, 2])
+    assert [row.wrench for row in rows] == [0, 1] and [row.upper for row in rows] == [2.0, None]
+    with pytest.raises(ValueError, match="shorter"):
+        as_rows(CapRecord, wrench=range(2), phi=np.ones(1), lower=[0, 2], upper=[2, 3], ratio=[1, 2])
+
+
+def test_a_file_of_old_is_read_and_whether_a_control_behaved_follows_from_its_outcomes(tmp_path: Path) -> None:
+    path = tmp_path / "old.validation.json"
+    content = msgspec.json.decode(document_text(to_document(refuted())))
+    del content["strengths"], content["friction_limited"]
+    content["controls"][0]["outcomes"][0] |= {"wrench": None, "phi": None, "held": True, "expected": False}
+    assert content["controls"][0]["behaved"]
+    path.write_bytes(msgspec.json.encode(content))
+    document = read_validation(path)
+    assert (document.strengths, document.friction_limited) == ((), ())
+    assert document.controls[1:] == refuted().controls[1:] and not document.controls[0].behaved
 
 
 def test_a_folder_that_is_not_there_is_reported(tmp_path: Path) -> None:

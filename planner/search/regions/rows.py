@@ -1,22 +1,56 @@
-"""Multisets of tree nodes: each stands for all subsets that take their contacts from below those nodes.
+"""Rows of regions: each stands for all subsets that take their contacts from below its nodes.
 
 A row (C_1, ..., C_m) lists nodes in the order of their positions; distinct nodes are disjoint, and a node that
-appears r times gives r different candidates. The row (root, ..., root) stands for every m-subset. Splitting a
+appears r times gives r different contacts. The row (root, ..., root) stands for every m-subset. Splitting a
 node that appears r times sends t copies left and r - t right, t = 0..r: the children partition the parent's
 subsets, so no subset is met twice.
+
+A bound without its cut proves nothing to anyone else. So the two travel together: from a row to its children, through
+the frontier, to the moment where the bound prunes and its cut becomes part of the proof.
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 
-from planner.search.regions.bounded_rows import BoundedRows
-from planner.search.regions.candidate_tree import CandidateTree
+from planner.arrays import Floats, Indices, Mask
+from planner.search.regions.region_tree import RegionTree
+
+NO_CUT = -1
+"""Stands for the cut of a bound that is still infinite."""
 
 
-def split(rows: BoundedRows, tree: CandidateTree) -> BoundedRows:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class BoundedRows:
+    """Rows, a bound on each, and the cut that proves it."""
+
+    nodes: Indices
+    """Node numbers, shape (rows, m)."""
+
+    bounds: Floats
+    """Upper bound on 1 / rho of every subset a row stands for, shape (rows,) [1/N]; infinite where none is known."""
+
+    cuts: Indices
+    """The cut that gave each bound, shape (rows,); NO_CUT where the bound is infinite."""
+
+    @classmethod
+    def unbounded(cls, nodes: Indices) -> "BoundedRows":
+        """Rows, shape (rows, m), of which nothing is known."""
+        return cls(nodes=nodes, bounds=np.full(len(nodes), np.inf), cuts=np.full(len(nodes), NO_CUT))
+
+    def __len__(self) -> int:
+        return len(self.nodes)
+
+    def __getitem__(self, which: Indices | Mask | slice) -> "BoundedRows":
+        """Some of the rows, by mask, by index, or a run of them."""
+        return BoundedRows(nodes=self.nodes[which], bounds=self.bounds[which], cuts=self.cuts[which])
+
+
+def split(rows: BoundedRows, tree: RegionTree) -> BoundedRows:
     """Children of rows, each split at its widest node; they inherit its bound with the cut that proves it.
 
     Args:
-        rows: Every one holds a node of at least two candidates.
+        rows: Every one holds a node of some width.
         tree: To which the nodes belong.
     """
     nodes, sizes = rows.nodes, tree.sizes
