@@ -6,6 +6,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from planner.arrays import Indices
 from planner.contact_models.friction_cone import support
 from planner.contacts import grasp_maps
 from planner.search.compiled.swaps import best_partner
