@@ -127,6 +127,7 @@ def test_every_subset_is_settled_once(most_enumerated: int, monkeypatch: pytest.
         assert settled[-1] == problem.subsets == certificate.subsets(problem.fingers)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("most_enumerated", [module.MOST_ENUMERATED, 0])
 def test_under_limits_a_proven_bound_is_accepted_and_a_larger_one_is_not(
     most_enumerated: int, monkeypatch: pytest.MonkeyPatch

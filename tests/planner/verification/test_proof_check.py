@@ -92,7 +92,7 @@ def test_wherever_the_check_is_stopped_no_lowered_bound_is_handed_on_that_is_not
     monkeypatch.setattr(planner.verification.bound_check, "BATCH", 4)
     false = replace(true_result, cuts=minimal_cuts(true_result)[::3])
     given_up, lowered = 0, 0
-    for patience in range(40, 170, 3):
+    for patience in range(40, 170, 6):
         answers = chain(repeat(False, patience), repeat(True))
         checked, check = with_checked_proof(false, answers.__next__)
         if checked.lower_bound == 0:

@@ -45,6 +45,7 @@ def test_a_turning_load_is_held_above_the_largest_cap_predicted_on_its_path_and_
     assert not measure_paths(experiment, path, 0.9 * needed).held.any()
 
 
+@pytest.mark.slow
 def test_loads_that_were_not_held_speak_against_rho() -> None:
     _, boundary, _, _ = beyond_of(1.0)
     objection = replace(boundary, held=boundary.held - 1).objection()

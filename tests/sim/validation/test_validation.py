@@ -38,6 +38,7 @@ def test_the_papers_case_iii_is_confirmed_even_within_half_a_percent() -> None:
     assert validation.controls[0].outcomes[0].slip > 5 * STRICT.slip_tolerance
 
 
+@pytest.mark.slow
 def test_measured_contact_forces_are_the_predicted_newtons() -> None:
     vertices = confirmed().vertices
     assert vertices is not None

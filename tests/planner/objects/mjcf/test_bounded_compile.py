@@ -140,6 +140,7 @@ def test_a_compiler_that_does_not_end_is_given_up_on(tmp_path: Path) -> None:
     assert MOST_SECONDS <= 60
 
 
+@pytest.mark.slow
 def test_a_compiler_that_wants_all_memory_is_refused_it(tmp_path: Path) -> None:
     path = written(tmp_path, BALL, '<hfield name="h" nrow="60000" ncol="60000" size="1 1 1 1"/>')
     with pytest.raises(ObjectError, match="cannot compile"):
