@@ -1,15 +1,17 @@
 """Is the instrument right? Three tables of evidence and a plot, measured in one run and saved in a folder.
 
-    python scripts/measure_all.py --out measured            # about half an hour on two cores
+    python scripts/measure_all.py --out measured            # about three quarters of an hour on two cores
     python scripts/measure_all.py --out measured --quick    # under a minute, on little of it
 
-1. Every asset, 3 to 5 fingers, friction 0.2 to 1.0: measured against predicted rho.
-2. Random feasible grasps, every wrench by itself at 0.98 to 1.02 of its own phi: false passes and false fails.
-3. Wrong planners, on purpose: what the measurement makes of them.
+1. Every asset, 3 to 5 fingers or 2 soft ones, friction 0.2 to 1.0: measured against predicted rho.
+2. Random feasible grasps, with hard fingers and with soft ones, every wrench by itself at 0.98 to 1.02 of its own phi:
+   false passes and false fails.
+3. Wrong planners, on purpose, of three hard fingers and of two soft ones: what the measurement makes of them.
 """
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,10 +22,13 @@ from planner.terminal.console import Console
 
 if TYPE_CHECKING:
     from planner.objects.rigid_object import RigidObject
+    from sim.validation.critical_force import CriticalForce
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
 NAMES = ("box", "bracket", "cylinder", "ellipsoid", "mug", "prism")
 FINGERS, FRICTIONS, GRASPS = (3, 4, 5), (0.2, 0.4, 0.6, 0.8, 1.0), 32
+SOFT_FINGERS, PATCH = (2,), 0.004
+"""Of soft fingers, the radius of the patch [m]."""
 FACTORS = (0.98, 0.99, 0.995, 1.005, 1.01, 1.02)
 FAULTY_FRICTION = 0.5
 MEASURED, TESTED, FAULTY = "grasps (measured rho)", "grasps (wrong verdicts)", "grasps (wrong planners)"
@@ -58,7 +63,7 @@ def measure_all(options: Options, console: Console) -> ExitCode:
     names = NAMES[:2] if options.quick else NAMES
     objects = [read_object(ASSETS / name / f"{name}.xml") for name in names]
     _rho(objects, options, console)
-    wrong = _tally(objects, options, console)
+    wrong = sum(_tally(objects, options, console, soft=soft) for soft in (False, True))
     _inject_faults(objects, options, console)
     console.say(f"wrote {options.out}")
     return ExitCode.FAILED if wrong else ExitCode.DONE
@@ -68,15 +73,20 @@ def _rho(objects: "Sequence[RigidObject]", options: Options, console: Console) -
     """Table 1 and the plot."""
     from sim.studies.plots import plot_rho
     from sim.studies.rho_table import RhoRow, rho_rows
+    from sim.studies.survey import Pad
 
     fingers, frictions = (FINGERS[:1], FRICTIONS[2:3]) if options.quick else (FINGERS, FRICTIONS)
     rows: list[RhoRow] = []
-    total = len(objects) * len(fingers) * len(frictions)
+    total = len(objects) * (len(fingers) + len(SOFT_FINGERS)) * len(frictions)
     console.count(MEASURED, 0, total)
-    for row in rho_rows(objects, fingers, frictions, seed=options.seed):
+    points = [Pad(friction=friction) for friction in frictions]
+    pads = [Pad(friction=friction, patch=PATCH) for friction in frictions]
+    hard, soft = (rho_rows(objects, *each, seed=options.seed) for each in ((fingers, points), (SOFT_FINGERS, pads)))
+    for row in chain(hard, soft):
         rows.append(row)
         outcome = row.note or f"rho {row.predicted:.5g} N, measured / predicted {row.ratio:.4f}"
-        console.say(f"{row.object:12} {row.fingers} fingers, friction {row.friction:.1f}: {outcome}")
+        kind = "soft fingers" if row.patch else "fingers"
+        console.say(f"{row.object:12} {row.fingers} {kind}, friction {row.friction:.1f}: {outcome}")
         console.count(MEASURED, len(rows), total)
     ratios = [row.ratio for row in rows if not row.note]
     if ratios:
@@ -85,42 +95,53 @@ def _rho(objects: "Sequence[RigidObject]", options: Options, console: Console) -
     plot_rho(options.out / "rho.png", rows)
 
 
-def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console) -> int:
+def _tally(objects: "Sequence[RigidObject]", options: Options, console: Console, *, soft: bool) -> int:
     """Table 2; returns the number of wrong verdicts."""
     from sim.studies.survey import random_grasps, tally
 
-    console.show("drawing random grasps")
-    grasps = random_grasps(objects, 2 if options.quick else GRASPS, options.seed)
+    kind = "soft" if soft else "hard"
+    console.show(f"drawing random grasps of {kind} fingers")
+    grasps = random_grasps(objects, 2 if options.quick else GRASPS, options.seed, soft=soft)
     tallies = tally(grasps, FACTORS, observe=lambda done: console.count(TESTED, done, len(grasps)))
     for each in tallies:
-        kind = "false passes" if each.factor < 1 else "false fails"
+        wrongs = "false passes" if each.factor < 1 else "false fails"
         console.say(
-            f"cap {each.factor:g} phi: {each.wrong} {kind} in {each.tests} single-wrench tests; "
+            f"{kind} fingers, cap {each.factor:g} phi: {each.wrong} {wrongs} in {each.tests} single-wrench tests; "
             f"on the friction limit {each.limited_wrong} in {each.limited}"
         )
-    _save(options.out / "tally", [asdict(each) for each in tallies])
+    _save(options.out / f"tally_{kind}", [asdict(each) for each in tallies])
     return sum(each.wrong for each in tallies)
 
 
 def _inject_faults(objects: "Sequence[RigidObject]", options: Options, console: Console) -> None:
     """Table 3."""
-    from sim.studies.fault_injection import INJECTED_FAULTS, measure_fault
-    from sim.studies.survey import planned_grasp
+    from sim.studies.fault_injection import INJECTED_FAULTS, SOFT_FAULTS, measure_fault
+    from sim.studies.survey import Pad, planned_grasp
 
     rows: list[dict[str, object]] = []
     tried = objects[:1] if options.quick else objects
-    total = len(tried) * len(INJECTED_FAULTS)
+    total = len(tried) * (len(INJECTED_FAULTS) + len(SOFT_FAULTS))
     console.count(FAULTY, 0, total)
     for rigid_object in tried:
-        grasp = planned_grasp(rigid_object, FINGERS[0], FAULTY_FRICTION, options.seed)
-        for fault in INJECTED_FAULTS:
+        hard, soft = Pad(friction=FAULTY_FRICTION), Pad(friction=FAULTY_FRICTION, patch=PATCH)
+        points = planned_grasp(rigid_object, FINGERS[0], hard, options.seed)
+        pinch = planned_grasp(rigid_object, SOFT_FINGERS[0], soft, options.seed)
+        for grasp, fault in [(points, fault) for fault in INJECTED_FAULTS] + [(pinch, fault) for fault in SOFT_FAULTS]:
             critical = measure_fault(grasp, fault)
             ratio = critical.ratio if critical else float("nan")
-            outcome = "no cap holds" if ratio == float("inf") else f"{ratio - 1:+.1%}"
-            console.say(f"{rigid_object.file.stem:12} {fault.name:32} {outcome}")
-            rows.append({"object": rigid_object.file.stem, "fault": fault.name, "ratio": ratio})
+            outcome = _noticed(critical)
+            fingers = len(grasp.contacts)
+            console.say(f"{rigid_object.file.stem:12} {fingers} fingers, {fault.name:46} {outcome}")
+            rows.append({"object": rigid_object.file.stem, "fingers": fingers, "fault": fault.name, "ratio": ratio})
             console.count(FAULTY, len(rows), total)
     _save(options.out / "fault_injection", rows)
+
+
+def _noticed(critical: "CriticalForce | None") -> str:
+    """What is seen of a wrong planner, in words."""
+    if critical is None:
+        return "it finds no grasp"
+    return "no cap holds" if critical.ratio == float("inf") else f"{critical.ratio - 1:+.1%}"
 
 
 def _save(stem: Path, rows: list[dict[str, object]]) -> None:

@@ -25,7 +25,7 @@ def validation_lines(validation: Validation) -> list[str]:
     if validation.vertices is not None and validation.forces is not None:
         lines.append(_held(validation.vertices, protocol.hold_factor, protocol.slip_tolerance))
         lines += _spun(validation.vertices, protocol.spin_tolerance)
-        lines += _forces(validation.forces)
+        lines += _forces(validation.forces, twisting=bool(validation.grasp.contacts.torsions.any()))
         lines += _limited(validation.limited, validation.vertices.held, protocol.friction_margin)
     lines += [f"control     {control.change}: {control.outcome()}" for control in validation.controls]
     if validation.critical_force is not None:
@@ -71,12 +71,13 @@ def _spun(vertices: Measurement, tolerance: float) -> list[str]:
     return [f"spin        at most {vertices.spin[worst]:.2g} rad (wrench {worst}; a hold is under {tolerance:g})"]
 
 
-def _forces(forces: ForceAgreement) -> tuple[str, str]:
+def _forces(forces: ForceAgreement, *, twisting: bool) -> tuple[str, str]:
+    shared = " (how fingers share a torque is theirs to settle)" if twisting else ""
     return (
         f"forces      measured differ from predicted by at most {forces.largest:.2%} of the cap (wrench "
         f"{forces.wrench}, finger {forces.finger + 1}), typically {forces.typical:.3%}",
         f"friction    utilisation differs by at most {forces.largest_utilisation:.2%} of the coefficient, typically "
-        f"{forces.typical_utilisation:.3%}; the highest is {forces.highest_utilisation:.1%}",
+        f"{forces.typical_utilisation:.3%}{shared}; the highest is {forces.highest_utilisation:.1%}",
     )
 
 

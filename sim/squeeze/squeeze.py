@@ -93,7 +93,7 @@ def measure_squeeze_force(
         observe: Told now and then how many simulations are done, and of how many at most.
 
     Raises:
-        ContactError: When a finger's strength is not 1.
+        ContactError: When a finger's strength is not 1, or it has torsional friction.
         SimulationError: When a fingertip is not where it was planned or the experiment cannot be built or run.
         SolverError: When the prediction fails.
     """

@@ -48,6 +48,9 @@ class InjectedFault:
     friction_factor: float = 1.0
     """Friction in the simulator over the planned."""
 
+    torsion_factor: float = 1.0
+    """Torsional friction in the simulator over the planned."""
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MisledExperiment(Experiment):
@@ -92,13 +95,39 @@ class OctagonForces(PyramidForces):
     sides = 8
 
 
+class ApartForces(CvxpyForces):
+    """Subproblem 2 with torsion in a cone of its own: sliding and twisting both at their most, at once."""
+
+    def tangent_map(self, normal: Floats) -> Floats:
+        """The tangential force in body axes, shape (3, 3)."""
+        return np.eye(3) - np.outer(normal, normal)
+
+    def inequalities(self, cap: Any, force: Any, limit: Any, tangential: Any) -> list[Any]:
+        """See `CvxpyForces.inequalities`."""
+        import cvxpy as cp
+
+        return [cp.norm(tangential[:-1]) <= limit, cp.abs(tangential[-1]) <= limit, cp.norm(force) <= cap]
+
+
 def _by(forces: type[PyramidForces]) -> Prediction:
     def predict(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
-        solver = forces(len(contacts), contacts.dimension)
-        problems = [ForceProblem(contacts=contacts, reference_point=reference_point, wrench=each) for each in wrenches]
-        return np.array([solver.solve(problem).phi for problem in problems])
+        return _solved(forces(len(contacts), contacts.dimension), contacts, reference_point, wrenches)
 
     return predict
+
+
+def _torsion_apart(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
+    solver = ApartForces(len(contacts), contacts.dimension, twisting=True)
+    return _solved(solver, contacts, reference_point, wrenches)
+
+
+def _torsion_dropped(contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
+    return predicted_caps(replace(contacts, torsion=None), reference_point, wrenches)
+
+
+def _solved(solver: CvxpyForces, contacts: Contacts, reference_point: Floats, wrenches: Floats) -> Floats:
+    problems = [ForceProblem(contacts=contacts, reference_point=reference_point, wrench=wrench) for wrench in wrenches]
+    return np.array([solver.solve(problem).phi for problem in problems])
 
 
 def _about_a_wrong_point(wrenches: Floats, radius: float) -> Floats:
@@ -119,6 +148,15 @@ INJECTED_FAULTS = (
     InjectedFault(name="moment sign wrong", believed=_with_moments_reversed, misleads=True),
 )
 """The table of ways to be wrong, the honest planner first."""
+
+SOFT_FAULTS = (
+    InjectedFault(name="none"),
+    InjectedFault(name="torsion dropped", predict=_torsion_dropped),
+    InjectedFault(name="torsion beside the friction cone, not in it", predict=_torsion_apart),
+    InjectedFault(name="torsion 5 % lower in truth", torsion_factor=0.95),
+    InjectedFault(name="friction 5 % lower in truth, torsion with it", friction_factor=0.95),
+)
+"""Ways to be wrong about fingers that twist."""
 
 
 def measure_fault(
@@ -143,7 +181,9 @@ def measure_fault(
     if not np.isfinite(phi).all():
         return None
     factor = fault.friction_factor
-    experiment = set_up(replace(grasp, phi=phi), protocol, factor * contacts.friction, newton=grasp.rho)
+    experiment = set_up(replace(grasp, phi=phi), protocol, newton=grasp.rho)
+    true = contacts.with_friction(factor * contacts.friction)
+    experiment = experiment.with_friction(replace(true, torsion=fault.torsion_factor * true.torsions))
     if fault.misleads:
         experiment = MisledExperiment(**vars(experiment), believed=lambda true: fault.believed(true, radius))
     return bisect_caps(experiment)

@@ -1,4 +1,4 @@
-"""rho measured against rho predicted, over objects, numbers of fingers and friction."""
+"""rho measured against rho predicted, over objects, numbers of fingers and what they touch with."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -11,7 +11,7 @@ from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
 from planner.task import make_task
-from sim.studies.survey import GAP, TIME_LIMIT
+from sim.studies.survey import GAP, TIME_LIMIT, Pad
 from sim.trial.loaded_grasp import LoadedGrasp
 from sim.validation.critical_force import measure_critical_force
 
@@ -23,6 +23,9 @@ class RhoRow:
     object: str
     fingers: int
     friction: float
+
+    patch: float
+    """See `Pad` [m]."""
 
     predicted: float
     """rho [N]; infinite where no grasp was found."""
@@ -51,7 +54,7 @@ class RhoRow:
 def rho_rows(
     objects: Sequence[RigidObject],
     fingers: Sequence[int],
-    frictions: Sequence[float],
+    pads: Sequence[Pad],
     *,
     task: str = "gravity",
     candidates: str = "100",
@@ -62,7 +65,7 @@ def rho_rows(
     Args:
         objects: What is grasped.
         fingers: Numbers of fingers.
-        frictions: Coulomb coefficients.
+        pads: What they touch with.
         task: Name of a preset or a TOML file.
         candidates: How candidates are chosen; see `make_candidates`.
         seed: Of candidates and search.
@@ -72,23 +75,23 @@ def rho_rows(
     """
     search = CertifiedSearch(gap=GAP, time_limit=TIME_LIMIT, seed=seed)
     for rigid_object in objects:
-        for friction in frictions:
+        for pad in pads:
             for count in fingers:
-                yield _row(rigid_object, count, friction, task, candidates, search)
+                yield _row(rigid_object, count, pad, task, candidates, search)
 
 
 def _row(
-    rigid_object: RigidObject, fingers: int, friction: float, task_name: str, choice: str, search: CertifiedSearch
+    rigid_object: RigidObject, fingers: int, pad: Pad, task_name: str, choice: str, search: CertifiedSearch
 ) -> RhoRow:
     task = make_task(task_name, rigid_object)
-    grasp = plan(
-        GraspProblem(rigid_object, task, make_candidates(rigid_object, choice, friction, search.seed), fingers), search
-    )
+    candidates = make_candidates(rigid_object, choice, pad.friction, search.seed).twisting(None, pad.patch)
+    grasp = plan(GraspProblem(rigid_object, task, candidates, fingers), search)
     why = "" if grasp.found else "no grasp exists" if grasp.status is Status.INFEASIBLE else "no grasp found in time"
     row = RhoRow(
         object=rigid_object.file.stem,
         fingers=fingers,
-        friction=friction,
+        friction=pad.friction,
+        patch=pad.patch,
         predicted=grasp.rho,
         lower=nan,
         upper=nan,

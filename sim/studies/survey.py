@@ -6,7 +6,7 @@ below one it must slip.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,10 +30,27 @@ CANDIDATES = "60"
 GAP, TIME_LIMIT = 0.05, 10.0
 """The planner's gap and its seconds per grasp [s]: a good grasp is wanted, not a proof."""
 FINGERS = (3, 4, 5)
+SOFT_FINGERS = (2, 3)
+"""Of grasps some of whose fingers are soft."""
+TORSION = (0.002, 0.12)
+"""Range of a random torsional friction over the object's size, drawn on a logarithmic scale."""
+HARD = 0.4
+"""How often a finger is hard, in every second of these grasps."""
 FRICTION = (0.3, 1.0)
 """Range of the friction coefficient of a random grasp."""
 MOST_DRAWS = 2_000
 """Bound on the draws for one feasible grasp; a few dozen are usual."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pad:
+    """What all fingers of a grasp touch with."""
+
+    friction: float
+    """Coulomb coefficient."""
+
+    patch: float = 0.0
+    """Radius of the disc that it presses flat [m]; 0 for a point."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,7 +78,9 @@ class Tally:
     """Of these, slips above phi or holds below it."""
 
 
-def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity") -> list[LoadedGrasp]:
+def random_grasps(
+    objects: Sequence[RigidObject], count: int, seed: int, task: str = "gravity", *, soft: bool = False
+) -> list[LoadedGrasp]:
     """Random feasible grasps that pass the static check, objects and numbers of fingers in turn.
 
     Args:
@@ -69,6 +88,7 @@ def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: s
         count: How many grasps.
         seed: Of all that is random.
         task: Name of a preset or a TOML file.
+        soft: With torsional friction, of all fingers or of some.
 
     Raises:
         SimulationError: When an object has no feasible grasp among MOST_DRAWS.
@@ -76,17 +96,30 @@ def random_grasps(objects: Sequence[RigidObject], count: int, seed: int, task: s
     rng = np.random.default_rng(seed)
     tasks = [make_task(task, each) for each in objects]
     candidates = [make_candidates(each, CANDIDATES, 0.5, seed).contacts for each in objects]
-    turns = [(index % len(objects), FINGERS[index // len(objects) % len(FINGERS)]) for index in range(count)]
-    return [_drawn(objects[which], tasks[which], candidates[which], fingers, rng) for which, fingers in turns]
+    numbers, grasps = SOFT_FINGERS if soft else FINGERS, []
+    for index in range(count):
+        turn, which = divmod(index, len(objects))
+        touching = candidates[which]
+        if soft:
+            touching = _softened(touching, objects[which].size, rng, mixed=turn // len(numbers) % 2 == 1)
+        grasps.append(_drawn(objects[which], tasks[which], touching, numbers[turn % len(numbers)], rng))
+    return grasps
 
 
-def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed: int) -> LoadedGrasp:
+def _softened(candidates: Contacts, size: float, rng: np.random.Generator, *, mixed: bool) -> Contacts:
+    """Each candidate with a torsional friction of its own; some of the mixed ones without."""
+    least, most = np.log(TORSION)
+    torsion = size * np.exp(rng.uniform(least, most, len(candidates)))
+    return replace(candidates, torsion=np.where(rng.random(len(candidates)) < (HARD if mixed else 0.0), 0.0, torsion))
+
+
+def planned_grasp(rigid_object: RigidObject, fingers: int, pad: Pad, seed: int) -> LoadedGrasp:
     """A grasp as the planner chooses it, against gravity.
 
     Args:
         rigid_object: What is grasped.
         fingers: Number of fingers.
-        friction: Coulomb coefficient.
+        pad: What they touch with.
         seed: Of candidates and search.
 
     Raises:
@@ -94,12 +127,11 @@ def planned_grasp(rigid_object: RigidObject, fingers: int, friction: float, seed
     """
     task = make_task("gravity", rigid_object)
     search = CertifiedSearch(gap=GAP, time_limit=TIME_LIMIT, seed=seed)
-    grasp = plan(
-        GraspProblem(rigid_object, task, make_candidates(rigid_object, CANDIDATES, friction, seed), fingers), search
-    )
+    candidates = make_candidates(rigid_object, CANDIDATES, pad.friction, seed).twisting(None, pad.patch)
+    grasp = plan(GraspProblem(rigid_object, task, candidates, fingers), search)
     if not grasp.found:
         raise SimulationError(
-            f"no grasp of {rigid_object.file.name} with {fingers} fingers and friction {friction:g} was found "
+            f"no grasp of {rigid_object.file.name} with {fingers} fingers and friction {pad.friction:g} was found "
             f"({grasp.status}); allow more fingers or friction"
         )
     return LoadedGrasp.of(rigid_object, grasp)
@@ -111,7 +143,9 @@ def _drawn(
     friction = np.full(len(candidates), rng.uniform(*FRICTION))
     for _ in range(MOST_DRAWS):
         chosen = rng.choice(len(candidates), size=fingers, replace=False)
-        contacts = Contacts(points=candidates.points, normals=candidates.normals, friction=friction).subset(chosen)
+        contacts = replace(candidates, friction=friction).subset(chosen)
+        if candidates.torsions.any() and not contacts.torsions.any():
+            continue
         if not np.isfinite(predicted_caps(contacts, task.reference_point, task.wrenches[:1])[0]):
             continue
         phi = predicted_caps(contacts, task.reference_point, task.wrenches)

@@ -25,13 +25,14 @@ class ForceAgreement:
     """Where the largest deviation is: the finger."""
 
     largest_utilisation: float
-    """Largest deviation of |f_t| / f_n, relative to the friction coefficient."""
+    """Largest deviation of |f_t| / f_n, relative to the friction coefficient. Where fingers have torsional friction a
+    torque counts too, and how they share one is not commanded."""
 
     typical_utilisation: float
-    """Median deviation of |f_t| / f_n, relative to the friction coefficient."""
+    """Median deviation of the same, relative to the friction coefficient."""
 
     highest_utilisation: float
-    """Largest measured |f_t| / f_n, relative to the friction coefficient: at one a finger slides."""
+    """Largest measured utilisation, relative to the friction coefficient: at one a finger slides."""
 
 
 def force_agreement(vertices: Measurement, friction: Floats, strengths: Floats) -> ForceAgreement:

@@ -11,7 +11,7 @@ from planner.objects.mjcf.reader import read_object
 from sim.studies.cost import measure_cost
 from sim.studies.fault_injection import INJECTED_FAULTS, PyramidForces, SquareForces, measure_fault
 from sim.studies.rho_table import rho_rows
-from sim.studies.survey import random_grasps, tally
+from sim.studies.survey import Pad, random_grasps, tally
 from sim.trial.loaded_grasp import LoadedGrasp
 from tests.strategies.planned_grasps import prism
 from tests.strategies.support_loads import block_on_table
@@ -34,6 +34,23 @@ def test_no_single_wrench_of_random_grasps_is_judged_wrongly() -> None:
     assert below.tests == above.tests == 12
     assert below.wrong == above.wrong == 0
     assert above.worst_slip < 1e-4 < below.worst_slip
+
+
+def test_no_single_wrench_of_random_soft_grasps_is_judged_wrongly() -> None:
+    grasps = random_grasps([BOX], 4, seed=1, task="axes6", soft=True)
+    assert [len(grasp.contacts) for grasp in grasps] == [2, 3, 2, 3]
+    torsions = [grasp.contacts.torsions for grasp in grasps]
+    assert all(torsion.any() for torsion in torsions)
+    assert torsions[0].all() and torsions[1].all() and not (torsions[2].all() and torsions[3].all())
+    below, above = tally(grasps, (0.99, 1.01))
+    assert below.tests == above.tests == 24
+    assert below.wrong == above.wrong == 0
+    assert above.worst_spin < 6e-5 and above.worst_slip < 1e-4
+
+
+def test_two_soft_fingers_of_a_planned_asset_are_measured_within_a_tenth_of_a_percent() -> None:
+    (row,) = rho_rows([BOX], [2], [Pad(friction=0.6, patch=0.004)], task="axes6", candidates="30")
+    assert row.note == "" and row.patch == 0.004 and 0.999 < row.ratio < 1.001
 
 
 def test_a_wrong_prediction_is_counted_as_wrong_verdicts() -> None:
@@ -80,7 +97,7 @@ def test_an_inscribed_pyramid_needs_more_and_with_many_sides_no_more_than_the_co
 
 @pytest.mark.slow
 def test_a_planned_asset_is_measured_within_half_a_percent_and_an_impossible_one_is_noted() -> None:
-    good, bad = rho_rows([BOX], [2, 3][::-1], [0.6], task="axes6", candidates="30")
+    good, bad = rho_rows([BOX], [2, 3][::-1], [Pad(friction=0.6)], task="axes6", candidates="30")
     assert good.note == "" and 0.995 < good.ratio < 1.005
     assert bad.fingers == 2 and (bad.note == "" or np.isnan(bad.lower))
 
