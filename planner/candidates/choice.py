@@ -43,7 +43,7 @@ def make_candidates(
         rigid_object: The object.
         choice: `300` spreads 300 points evenly, `grid:0.004` lays a grid of 4 mm on every facet or edge, `case3`
             takes the paper's 217 points, anything else is the path of a CSV file of points, or of a grasp file
-            (`.json`), whose contacts are taken.
+            (`.json`), of whose contacts the places are taken, and neither friction nor torsional friction.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         seed: Of the points evenly spread in space; in the plane none is needed.
         fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
@@ -81,7 +81,8 @@ def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, coun
     if choice.startswith(GRID):
         return grid_candidates(rigid_object, _spacing(choice), friction, asked.fingertip)
     listed = ListedPoints(points=case3_points()) if choice == CASE3 else _listed(choice, 3)
-    return listed_candidates(rigid_object, listed.points, friction, normals=listed.normals)
+    candidates = listed_candidates(rigid_object, listed.points, friction, normals=listed.normals)
+    return replace(candidates, planned_torsion=listed.torsion)
 
 
 def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, friction: float | None) -> Candidates:
