@@ -76,6 +76,9 @@ class Candidates:
     friction_error: float = 0.0
     """By what share the coefficients may be smaller or larger; the contacts have the smallest."""
 
+    planned_torsion: float = 0.0
+    """The largest torsional friction that listed contacts of a grasp were planned with [m]; they need not have it."""
+
     def __len__(self) -> int:
         return len(self.part)
 

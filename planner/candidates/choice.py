@@ -51,7 +51,8 @@ def make_candidates(
         rigid_object: The object.
         choice: `300` spreads 300 points evenly, `antipodal:300` takes 150 pairs of opposed points, `grid:0.004` lays a
             grid of 4 mm on every facet or edge, `case3` takes the paper's 217 points, anything else is the path of a
-            CSV file of points, or of a grasp file (`.json`), whose contacts are taken.
+            CSV file of points, or of a grasp file (`.json`), of whose contacts the places are taken, and neither
+            friction nor torsional friction.
         friction: Coulomb coefficient of all contacts; None takes each geom's own.
         seed: Of the points evenly spread or in opposed pairs in space; in the plane none is needed.
         fingertip: Radius of the ball that must fit beside other parts [m]; by default a share of the object's size.
@@ -94,7 +95,8 @@ def _candidates_in_space(rigid_object: RigidObject, asked: CandidateChoice, coun
     if way := _way(choice):
         return way(rigid_object, asked)
     listed = ListedPoints(points=case3_points()) if choice == CASE3 else _listed(choice, 3)
-    return listed_candidates(rigid_object, listed.points, friction, normals=listed.normals)
+    candidates = listed_candidates(rigid_object, listed.points, friction, normals=listed.normals)
+    return replace(candidates, planned_torsion=listed.torsion)
 
 
 def _planar_candidates(planar: PlanarObject, choice: str, count: int | None, friction: float | None) -> Candidates:

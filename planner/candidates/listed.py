@@ -44,6 +44,9 @@ class ListedPoints:
     normals: Floats | None = None
     """Normals into the object, none of them zero, shape (n, d)."""
 
+    torsion: float = 0.0
+    """The largest torsional friction that they were planned with, where they are a grasp's contacts [m]."""
+
 
 def read_points(path: Path, dimension: int = 3) -> ListedPoints:
     """Points of a CSV file: x,y,z in metres per line, an optional header line, comments after #.
@@ -92,10 +95,11 @@ def read_points(path: Path, dimension: int = 3) -> ListedPoints:
 
 
 class _Contact(msgspec.Struct, frozen=True):
-    """Of a contact in a grasp file, where it is."""
+    """Of a contact in a grasp file, where it is, and how its finger resists turning."""
 
     position: list[float]
     normal: list[float]
+    torsion: float | None = None
 
 
 class _Contacts(msgspec.Struct, frozen=True):
@@ -120,6 +124,7 @@ def grasp_points(path: Path, dimension: int = 3) -> ListedPoints:
     return ListedPoints(
         points=np.array([contact.position for contact in contacts]),
         normals=np.array([contact.normal for contact in contacts]),
+        torsion=max(contact.torsion or 0.0 for contact in contacts),
     )
 
 

@@ -25,7 +25,9 @@ class Options(ObjectOptions):
     """Where should the fingers go, and how strong must they be?
 
     Chooses the contacts on an MJCF object that resist a task with the smallest fingertip force rho, proves that no
-    other choice needs less, and writes a grasp file.
+    other choice needs less, and writes a grasp file. For two jaws with pads of 4 mm radius:
+
+        grasp-plan assets/box/box.xml --fingers 2 --patch 0.004
     """
 
     fingers: int = 3
@@ -39,7 +41,7 @@ class Options(ObjectOptions):
 
     torsion: Given[float] = None
     """Torsional friction of every contact in metres: the most torque about the normal over the normal force. Two
-    fingers need it. By default each geom's own where its condim is 4 or more, else none."""
+    fingers need it. By default each geom's own where its condim is 4 or more, else none. For each finger: --limits."""
 
     patch: Given[float] = None
     """Or the radius in metres of the disc that every fingertip presses flat, for example 0.004: torsional friction is
@@ -51,12 +53,12 @@ class Options(ObjectOptions):
     along each axis; anything else is a TOML file, whose forces and moments (N, N m) and reference point (m) are in the
     frame of the body, or, with the line frame = "world", in the world of the object's file; see assets/tasks."""
 
-    candidates: str | None = None
+    candidates: Given[str] = None
     """Where fingers may go: a number of evenly spread points; "antipodal:300" for 150 pairs of opposed points, densest
     about the centre of mass; "grid:0.004" for cell centres 4 mm apart on every flat facet, or edge of a planar object;
     "case3" for the paper's 217 points on the prism; anything else is a CSV file of points x,y,z (planar: x,y) in
-    metres, behind each, if wanted, its normal into the object nx,ny,nz; or a *.grasp.json, whose contacts are taken.
-    By default antipodal:300 for two fingers on an object in space, otherwise 300."""
+    metres, behind each, if wanted, its normal into the object nx,ny,nz; or a *.grasp.json, of whose contacts the places
+    are taken. By default antipodal:300 for two fingers on an object in space, otherwise 300."""
 
     out: Given[Path] = None
     """The grasp file to write; by default OBJECT.grasp.json in the current folder."""
@@ -67,7 +69,8 @@ class Options(ObjectOptions):
 
     limits: Given[Path] = None
     """TOML file of what the hand allows: where fingers must not touch, the table, room to approach, least and greatest
-    distance of two contacts, where each finger may touch and how strong it is; see assets/limits."""
+    distance of two contacts, where each finger may touch, how strong it is and how it resists turning; see
+    assets/limits."""
 
     decompose: bool = False
     """Cut meshes whose hollows MuJoCo would fill into convex parts, and plan on the file NAME.convex.xml that holds

@@ -54,6 +54,13 @@ class Report:
         self._restricted(problem.allowed)
         if problem.kinds.candidates.contacts.torsions.any():
             self._say(f"torsion     {_torsion(problem)}")
+        elif candidates.planned_torsion:
+            logger.warning(
+                "the grasp whose contacts are the candidates was planned with a torsional friction of %s mm; only "
+                "their places are taken, and fingers are hard: --torsion %.6g plans with it",
+                in_mm(candidates.planned_torsion, 3),
+                candidates.planned_torsion,
+            )
         self._kinds(problem.kinds)
         self._choice(problem)
 

@@ -65,7 +65,7 @@ def as_rows(kind: type[T], **columns: Column) -> tuple[T, ...]:
         kind: What a row is, made from its values by name.
         columns: By the names of the values.
     """
-    lists = (column.tolist() if isinstance(column, Floats) else column for column in columns.values())
+    lists = (column if isinstance(column, Sequence) else column.tolist() for column in columns.values())
     return tuple(
         kind(**{name: _or_null(value) for name, value in zip(columns, row, strict=True)})
         for row in zip(*lists, strict=True)

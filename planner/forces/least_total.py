@@ -14,7 +14,7 @@ import numpy as np
 from planner.arrays import Floats
 from planner.contact_models.hard_finger import HARD_FINGER
 from planner.contacts import Contacts
-from planner.errors import SolverError
+from planner.errors import ContactError, SolverError
 from planner.forces.contact_program import INFEASIBLE, SOLVED, ContactProgram, Criterion
 from planner.forces.problem import ForceProblem
 
@@ -48,9 +48,15 @@ class LeastTotalForces:
             where no forces balance the wrench.
 
         Raises:
+            ContactError: When a finger has torsional friction.
             SolverError: When Clarabel stops without an optimum or a certificate.
         """
         contacts = problem.contacts
+        if contacts.torsions.any():
+            raise ContactError(
+                "the fingers have torsional friction; the paper's tie-break sums the forces of hard ones, and says not "
+                "how torques count beside them"
+            )
         alike = replace(contacts, strength=None)  # no cap: how strong a finger is does not matter
         maps = HARD_FINGER.maps(alike, problem.reference_point)
         forces, _, status = self._program.solve(maps, contacts.friction, problem.wrench, problem.length)
@@ -75,6 +81,7 @@ def largest_least_total(contacts: Contacts, reference_point: Floats, wrenches: F
         max_j min sqrt(sum_i f_i . f_i) [N]; infinite where some vertex cannot be balanced.
 
     Raises:
+        ContactError: When a finger has torsional friction.
         SolverError: When Clarabel stops without an optimum or a certificate.
     """
     solver = LeastTotalForces(len(contacts), contacts.dimension)

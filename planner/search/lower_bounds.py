@@ -10,6 +10,7 @@ import numpy as np
 
 from planner.arrays import Floats, Indices
 from planner.contacts import grasp_maps
+from planner.errors import CandidateError
 from planner.forces.minimax import MinimaxForces
 from planner.forces.relaxation import RelaxedForces, cone_edges, edge_columns
 from planner.search.problem import SearchProblem
@@ -30,7 +31,12 @@ class LowerBounds:
             problem: Whose combinations are bounded.
             bound: Which problem bounds them.
             sides: L, edges of the cone of the Relaxed Problem.
+
+        Raises:
+            CandidateError: When a finger has torsional friction: with hard ones in its place, no bound is one.
         """
+        if problem.contacts.torsions.any():
+            raise CandidateError("the paper's bounds are those of hard fingers; with torsional friction they are none")
         self._problem, self._bound, self._sides = problem, bound, sides
         contacts = problem.contacts
         maps = grasp_maps(contacts.points, problem.reference_point)

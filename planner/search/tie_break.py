@@ -19,6 +19,9 @@ def tie_break(problem: SearchProblem, tied: tuple[Evaluation, ...]) -> tuple[Eva
 
     Returns:
         The grasp and its criterion [N].
+
+    Raises:
+        ContactError: When a finger has torsional friction, of which the paper knows nothing.
     """
     criteria = [
         largest_least_total(problem.contacts.subset(grasp.subset), problem.reference_point, problem.wrenches)

@@ -61,6 +61,28 @@ def test_more_fingers_carry_more_and_mujoco_agrees() -> None:
     assert says(text, "MuJoCo says pass")
 
 
+def test_pads_help_a_jaw_while_they_are_small_and_friction_does_beyond() -> None:
+    rows = [line.split() for line in output("size_a_jaw").splitlines()[1:]]
+    rho = {(row[0], float(row[4])): [float(force) for force in row[5:10]] for row in rows}
+    weight = {row[0]: float(row[1]) for row in rows}
+    assert len(rho) == 9
+    for force in rho.values():
+        assert force == sorted(force, reverse=True)
+        assert 1.7 < force[0] / force[1] <= 2.01  # twice the pad, half the force
+        assert force[3] < 1.4 * force[4]  # and hardly more than friction alone asks for
+    for name in weight:
+        slippery, usual, rough = (rho[name, friction] for friction in (0.3, 0.5, 0.8))
+        assert 0.8 * rough[0] <= 1.01 * 0.3 * slippery[0]
+        assert rough[-1] < usual[-1] < slippery[-1]
+    shares = {name: rho[name, 0.5][-1] / weight[name] for name in weight}
+    assert shares["box"] == pytest.approx(2, abs=0.2) and shares["bottle"] == pytest.approx(2, abs=0.2)
+    assert shares["tool"] == pytest.approx(3, abs=0.3)
+    for row in rows:
+        enough = [radius for radius, force in zip((1, 2, 4, 8), map(float, row[5:9]), strict=True) if force <= 10]
+        pads = f"pads of {enough[0]} mm" if enough else "no such pads"
+        assert " ".join(row[10:]) == f"closing with 10 N: {pads}"
+
+
 def test_every_tutorial_has_a_test() -> None:
     tested = set(re.findall(r'output\("(\w+)"', Path(__file__).read_text()))
     assert tested == {path.stem for path in TUTORIALS.glob("*.py")}

@@ -12,6 +12,7 @@ import time
 import cvxpy
 import numpy as np
 
+from planner.errors import CandidateError
 from planner.search.evaluation import Evaluator
 from planner.search.problem import SearchProblem
 from scripts.search_benchmark.competitors.outcome import Outcome
@@ -23,7 +24,13 @@ SECONDS_FOR_M = 1.0
 
 
 def solve_as_cone_program(problem: SearchProblem, gap: float, budget: float) -> Outcome:
-    """Hand the whole program to SCIP and wait for the budget [s], which includes the building of the program."""
+    """Hand the whole program to SCIP and wait for the budget [s], which includes the building of the program.
+
+    Raises:
+        CandidateError: Where fingers are not hard, alike and free to be anywhere, which the program does not say.
+    """
+    if not problem.is_the_papers:
+        raise CandidateError("this program is of hard fingers that are alike and keep no distances")
     answer = run_isolated(_solve, problem, gap, limit=budget)
     return answer.value if answer else Outcome(seconds=budget, finished=False, note="stopped")
 

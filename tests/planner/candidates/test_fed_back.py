@@ -126,3 +126,20 @@ def test_grasp_files_without_contacts_or_of_another_dimension_are_refused(
     Path("broken.json").write_text("{}")
     assert run("grasp-plan", box_file, "--candidates", "broken.json") == 1
     assert says(capsys.readouterr().err, "error: broken.json")
+
+
+def test_the_contacts_of_a_soft_grasp_are_places_and_how_they_twisted_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As friction, torsional friction is the fingers' and said with them; whoever forgets it is told the option."""
+    soft, again = tmp_path / "soft.grasp.json", tmp_path / "again.grasp.json"
+    given = ["grasp-plan", ASSETS / "box" / "box.xml", "--fingers", 2]
+    assert run(*map(str, given), "--candidates", 80, "--patch", 0.004, "--out", soft) == 0
+    assert "only their places" not in capsys.readouterr().err
+    assert run(*map(str, given), "--candidates", soft, "--out", again) == 3
+    said = " ".join(capsys.readouterr().err.split())
+    (option,) = re.findall(r"with a torsional friction of 1\.33 mm; only their places .*--torsion ([\d.]+) plans", said)
+    assert run(*map(str, given), "--candidates", soft, "--torsion", option, "--out", again) == 0
+    assert "only their places" not in capsys.readouterr().err
+    assert read_grasp(again).rho == pytest.approx(read_grasp(soft).rho, rel=1e-5)
+    assert run("grasp-verify", again) == 0
