@@ -8,7 +8,7 @@ from planner.errors import CandidateError
 from tests.strategies.parts import box, rigid_object
 from tests.strategies.planar_objects import planar_object
 
-BRICK = rigid_object(box((0, 0, 0), (0.05, 0.03, 0.08)))
+BRICK = rigid_object(box((0.05, 0.03, 0.08)))
 
 
 def test_a_patch_has_two_thirds_of_friction_times_its_radius() -> None:

@@ -65,7 +65,7 @@ def test_sizes_of_another_unit_are_doubted(length: float, doubt: str | None) -> 
 def test_torsional_friction_for_which_the_object_has_no_room_is_doubted(
     torsion: float | None, patch: float | None, said: str | None
 ) -> None:
-    brick = rigid_object(box((0, 0, 0), (0.03, 0.02, 0.015)))
+    brick = rigid_object(box((0.03, 0.02, 0.015)))
     doubts = torsion_doubts(brick, make_candidates(brick, "20", 0.5).twisting(torsion, patch).contacts)
     assert len(doubts) == (said is not None)
     assert not doubts or re.search(said or "", doubts[0])

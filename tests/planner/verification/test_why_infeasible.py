@@ -160,7 +160,7 @@ def test_pads_are_not_tried_where_they_say_nothing() -> None:
     assert planned_with_pads(soft, plan(soft), left=np.inf) is None
     held = problem(OPPOSITE, [DOWN])
     assert planned_with_pads(held, plan(held), left=np.inf) is None
-    grain = rigid_object(box((0, 0, 0), (0.002, 0.002, 0.002)))
+    grain = rigid_object(box((0.002, 0.002, 0.002)))
     small = GraspProblem(grain, posed.task, listed_candidates(grain, np.array([(0.002, 0, 0), (0, 0.002, 0)]), 0.5), 2)
     assert planned_with_pads(small, plan(small), left=np.inf) is None
 
