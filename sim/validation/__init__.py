@@ -7,5 +7,6 @@ beyond            loads beside the vertices; wrench_samples: which
 force_agreement   measured against predicted forces
 document          the file
 
-To add a control experiment: a function in `control_experiments` that returns a `ControlExperiment`, called in `validation`.
+To add a control experiment: a function in `control_experiments` that returns a `ControlExperiment`, and its call in
+`validation`.
 """
