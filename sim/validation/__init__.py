@@ -7,5 +7,6 @@ beyond            loads beside the vertices; wrench_samples: which
 force_agreement   measured against predicted forces
 document          the file
 
-A control experiment is a function in `control_experiments` that returns a `ControlExperiment`; `validation` calls it.
+To add a control experiment: a function in `control_experiments` that returns a `ControlExperiment`, and its call in
+`validation`.
 """

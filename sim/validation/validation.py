@@ -160,16 +160,14 @@ def validate_contacts(
             *(torsion_controls(experiment, work.part("controls of torsion", twisting)) if twisting else ()),
         )
         objections = unheld(vertices, limited, protocol.reach / experiment.units.length, protocol)
-        doubts = undecided(vertices, limited, protocol)
-        doubts += tuple(doubt for control in controls if (doubt := control.doubt()))
         if measure:
             part = work.part("bisecting the cap of every wrench", expected_simulations(count))
             critical_force = bisect_caps(experiment, part)
         if thorough:
-            part = work.part("loads beyond the vertices", SIMULATIONS)
-            beyond = measure_beyond(experiment, observe=part)
-            objections += tuple(objection for loads in beyond if (objection := loads.objection()))
-            doubts += tuple(doubt for loads in beyond if (doubt := loads.doubt()))
+            beyond = measure_beyond(experiment, observe=work.part("loads beyond the vertices", SIMULATIONS))
+        objections += tuple(objection for loads in beyond if (objection := loads.objection()))
+        raised = [*(control.doubt() for control in controls), *(loads.doubt() for loads in beyond)]
+        doubts = undecided(vertices, limited, protocol) + tuple(filter(None, raised))
     return Validation(
         verdict=judge(objections, doubts),
         reasons=objections + doubts,

@@ -48,7 +48,7 @@ def widths(candidates: Candidates) -> Floats:
 def spiked() -> RigidObject:
     """A tetrahedron with a small cube on a corner: nothing but two pairs of the cube's faces is opposed."""
     spike = Polyhedron.hull(SPIKE, geom="spike", friction=0.1)
-    return rigid_object(spike, box((0.2, 0.2, 0.2), (0.01, 0.01, 0.01)))
+    return rigid_object(spike, box((0.01, 0.01, 0.01), (0.2, 0.2, 0.2)))
 
 
 @pytest.mark.parametrize("friction", [0.1, 0.5, 1.5, None])
@@ -81,14 +81,14 @@ def test_a_cup_is_pinched_at_its_wall_and_across_but_never_pushed_apart(tmp_path
 
 
 def test_parts_that_are_glued_are_one_body() -> None:
-    glued = rigid_object(box((0, 0, -0.1), (0.1, 0.1, 0.1)), box((0, 0, 0.1), (0.1, 0.1, 0.1)))
+    glued = rigid_object(box((0.1, 0.1, 0.1), (0, 0, -0.1)), box((0.1, 0.1, 0.1), (0, 0, 0.1)))
     candidates = antipodal_candidates(glued, 100, None, seed=0)
     assert set(np.round(widths(candidates), 9)) == {0.2, 0.4}
     assert (np.abs(candidates.contacts.points[:, 2]) > 1e-9).all()
 
 
 def test_no_finger_is_put_into_a_slot_it_does_not_fit() -> None:
-    plates = rigid_object(*(box((0, 0, height), (0.1, 0.1, 0.01)) for height in (-0.02, 0.02)))
+    plates = rigid_object(*(box((0.1, 0.1, 0.01), (0, 0, height)) for height in (-0.02, 0.02)))
     slender, thick = (
         widths(antipodal_candidates(plates, 200, None, seed=0, fingertip=radius)) for radius in (0.005, 0.015)
     )
