@@ -1,8 +1,10 @@
 """Soft fingers: physics that a pencil can check, then predictions, units, controls, and faults that must show."""
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import mujoco
@@ -23,11 +25,14 @@ from sim.trial.loaded_grasp import LoadedGrasp
 from sim.trial.measurement import Measurement, measure
 from sim.trial.prediction import on_friction_limit, predicted_caps
 from sim.trial.protocol import ACTIVE, ACTIVE_SOFT, STRICT_SOFT, active_protocol
-from sim.trial.trial import Trial, run
+from sim.trial.trial import Trial
+from sim.trial.trial import run as run_trial
 from sim.validation.critical_force import measure_critical_force
+from sim.validation.document import read_validation, write_validation
 from sim.validation.validation import Validation, validate_contacts
 from sim.validation.verdict import Verdict
 from tests.strategies.parts import box, rigid_object
+from tests.tools.commands import ASSETS, run
 
 FRICTION, PRESS, ORIGIN = 0.5, 1.0, np.zeros(3)
 HALF = (0.04, 0.03, 0.02)
@@ -73,7 +78,7 @@ def pressed_block(gammas: tuple[float, ...], weights: Floats, offset: float) -> 
         forces=press + 0.5 * weights[:, None, None] * np.array([0, 0, 1.0]),
         torques=np.zeros((len(weights), 2)),
     )
-    return measure(scene, trial, run(scene, trial, protocol), 1.0, protocol)
+    return measure(scene, trial, run_trial(scene, trial, protocol), 1.0, protocol)
 
 
 @pytest.mark.parametrize("offset", [0.002, 0.008, 0.03])
@@ -248,3 +253,44 @@ def test_a_planner_that_is_wrong_about_torsion_is_noticed(name: str) -> None:
 def test_a_planner_that_drops_torsion_finds_no_grasp_where_there_is_one() -> None:
     fault = next(fault for fault in SOFT_FAULTS if fault.name == "torsion dropped")
     assert measure_fault(off_centre_grasp(), fault) is None
+
+
+def test_a_validation_file_carries_torsion_and_spins_and_files_without_them_still_read(tmp_path: Path) -> None:
+    path, old = tmp_path / "soft.validation.json", tmp_path / "old.validation.json"
+    write_validation(path, validated())
+    document = read_validation(path)
+    assert document.planned_torsion == document.simulated_torsion == GAMMAS[0]
+    vertices = validated().vertices
+    assert vertices is not None
+    assert [record.spin for record in document.vertices] == vertices.spin.tolist()
+    assert document.vertices[0].spin == max(finger.spin for finger in document.vertices[0].fingers) > 0
+    torsion = [control for control in document.controls if control.name == "torsion"]
+    assert len(torsion) == 3 and max(outcome.spin for outcome in torsion[0].outcomes) > 6e-5
+
+    new = {"spin", "planned_torsion", "simulated_torsion", "spin_tolerance", "torsion_factors", "least_torsion"}
+    old.write_text(json.dumps(without(json.loads(path.read_text()), new)))
+    read = read_validation(old)
+    assert read.planned_torsion == () and read.vertices[0].spin == 0.0 and read.rho == document.rho
+
+
+def without(value: Any, keys: set[str]) -> Any:
+    """A JSON value with some keys left out wherever they are."""
+    if isinstance(value, dict):
+        return {key: without(each, keys) for key, each in value.items() if key not in keys}
+    return [without(each, keys) for each in value] if isinstance(value, list) else value
+
+
+def test_two_pads_on_the_box_are_planned_and_pass_and_are_no_squeeze(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    grasp = tmp_path / "box.grasp.json"
+    asset = ASSETS / "box" / "box.xml"
+    few = ("--fingers", 2, "--patch", 0.004, "--candidates", 40, "--task", "axes6")
+    assert run("grasp-plan", asset, *few, "--out", grasp) == 0
+    assert run("grasp-validate", grasp, "--strict", "--out", tmp_path / "box.validation.json") == 0
+    said = capsys.readouterr().out
+    assert "PASS (rhograsp.active-soft-strict/1)" in said
+    assert "spin        at most" in said and "control     torsional friction at 0.9 of the planned" in said
+    assert run("grasp-validate", grasp, "--mode", "squeeze", "--out", tmp_path / "box.squeeze.json") == 1
+    refusal = capsys.readouterr().err.splitlines()[-1]
+    assert refusal.startswith("error: the fingers have torsional friction") and "fingers that adapt" in refusal

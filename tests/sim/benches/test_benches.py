@@ -79,6 +79,8 @@ def test_graspdatagen_asks_for_contact_and_not_for_stillness() -> None:
 def test_the_settings_are_those_the_benchmarks_state() -> None:
     theirs = DEXGRASPBENCH
     assert (theirs.object_mass, theirs.friction, theirs.torsional_friction) == (0.1, 0.6, 0.02)
+    scene = build_world(brick(), fingers(0), theirs).model
+    assert (scene.pair_dim == 4).all() and (scene.pair_friction[:, :3] == (0.6, 0.6, 0.02)).all()
     assert (theirs.cone, theirs.impratio, theirs.noslip_iterations) == ("elliptic", 10, 2)
     assert (theirs.timestep, theirs.integrator, theirs.tug_time, theirs.tug_acceleration) == (
         4e-3,
@@ -92,6 +94,7 @@ def test_the_settings_are_those_the_benchmarks_state() -> None:
 
     nvidia = GRASPDATAGEN
     assert (nvidia.object_mass, nvidia.friction, nvidia.squeeze_time, nvidia.tug_time) == (1.0, 1.0, 1.0, 0.5)
+    assert (build_world(brick(), fingers(0), nvidia).model.pair_dim == 3).all()
     assert nvidia.tug_acceleration == 9.81 and nvidia.contact_at_end and len(nvidia.tugs) == 1
     stated = np.array([(0, 0, 1), (0, 2, 1), (0, -2, 1), (2, 0, 1), (-2, 0, 1)], dtype=float)
     np.testing.assert_allclose(nvidia.tugs[0], stated / np.linalg.norm(stated, axis=1, keepdims=True))
