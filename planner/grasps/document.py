@@ -52,7 +52,7 @@ class TaskRecord(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class ContactRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """One fingertip contact."""
+    """One fingertip contact; a hard finger where torsion is left out."""
 
     position: Vector
     normal: Vector
@@ -67,7 +67,7 @@ class ContactRecord(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=Tru
 
 
 class KindRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """Fingers that are alike, and how many of the candidates are for them."""
+    """Fingers that are alike, and how many of the candidates are for them, whose torsional friction is theirs."""
 
     fingers: Annotated[int, msgspec.Meta(ge=1)]
     candidates: Annotated[int, msgspec.Meta(ge=1)]

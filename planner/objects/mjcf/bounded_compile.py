@@ -21,7 +21,11 @@ from planner.errors import MasslessError, ObjectError
 from planner.objects.mjcf.compile_effort import named_files
 
 MOST_SECONDS = 60.0
-"""Time for one compilation; a round mesh of 200,000 facets takes a few seconds, a fine cylinder longer [s]."""
+"""Time for one compilation [s].
+
+A round mesh of 200,000 facets takes a few seconds. Not so one with faces of many corners: for a mesh of a cylinder the
+time grows a little faster than the square of the number of sides, 3 s for 5,000 and 20 s for 10,000.
+"""
 
 MOST_BYTES = 2**32
 """Memory for one compilation; a mesh of 200,000 facets takes an eighth of it."""
@@ -142,7 +146,8 @@ def _given_up(path: Path, status: int, seconds: float, most_bytes: int) -> str:
     if status == -signal.SIGALRM:
         return (
             f"MuJoCo takes more than {seconds:g} s to compile '{path}' and was given up on; leave out what is not of "
-            "the object, or give it fewer elements and coarser meshes"
+            "the object, or give it fewer elements and coarser meshes; faces of thousands of corners, as the ends of a "
+            "fine cylinder have, keep it busy longest"
         )
     how = f"; it was ended by {signal.Signals(-status).name}" if status < 0 else ""
     return (

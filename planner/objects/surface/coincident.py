@@ -1,7 +1,7 @@
 """Which parts of an object coincide: a surface that several parts share is one surface of their union."""
 
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -30,12 +30,17 @@ def covered_parts(rigid_object: RigidObject) -> Mapping[int, int]:
     margin = INSIDE * rigid_object.size
     parts, bounds = rigid_object.parts, np.array([part.bounds() for part in rigid_object.parts])
     covered: dict[int, int] = {}
-    for index, part in enumerate(parts):
+
+    @cache
+    def inside(index: int, other: int) -> bool:
+        return _inside(parts[index], parts[other], margin)
+
+    for index in range(len(parts)):
         around = (bounds[:, 0] <= bounds[index, 0] + margin) & (bounds[:, 1] >= bounds[index, 1] - margin)
         for other in np.flatnonzero(around.all(axis=1)).tolist():
-            if other == index or other in covered or not _inside(part, parts[other], margin):
+            if other == index or other in covered or not inside(index, other):
                 continue
-            if other < index or not _inside(parts[other], part, margin):
+            if other < index or not inside(other, index):
                 covered[index] = other
                 break
     return MappingProxyType(covered)

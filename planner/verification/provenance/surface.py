@@ -7,8 +7,10 @@ n_k . p = o_k and n = -n_k for some k. Curved parts and outlines: p is its own p
 import numpy as np
 
 from planner.arrays import Floats, Indices, Mask
+from planner.candidates.candidates import CandidateChoice
+from planner.contacts import Contacts
 from planner.grasps.grasp import Grasp
-from planner.millimetres import point_in_mm
+from planner.millimetres import in_mm, point_in_mm
 from planner.objects.graspable import Graspable
 from planner.objects.part import Part
 from planner.objects.parts.polyhedron import Polyhedron
@@ -45,13 +47,14 @@ def check_surface(grasp: Grasp, rigid_object: Graspable | None) -> Check:
 
 
 def check_friction(grasp: Grasp, rigid_object: Graspable | None) -> Check:
-    """Every coefficient is the one that was given or the geom's own, less its error."""
+    """Every coefficient is the one that was given or the geom's own, less its error; so is torsional friction."""
     candidates, choice = grasp.certificate.candidates, grasp.candidate_choice
     if choice is None:
         return not_checked("the candidates have the friction of their geoms", "how they were chosen is not recorded")
     less = f", less {choice.friction_error:g} of it" if choice.friction_error else ""
     source = "that of their geoms" if choice.friction is None else f"{choice.friction:g}"
-    claim = f"the candidates' friction is {source}{less}"
+    twist = _twist(choice) if candidates.torsions.any() else ""
+    claim = f"the candidates' friction is {source}{twist}{less}"
     share = 1 - choice.friction_error
     if choice.friction is not None:
         right = _same(candidates.friction, np.full(len(candidates), share * choice.friction))
@@ -60,9 +63,29 @@ def check_friction(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     else:
         there = _parts_at(rigid_object, candidates.points, candidates.normals)
         own = np.array([part.friction for part in rigid_object.parts])
-        alike = there & _same(candidates.friction, share * own[:, None])
-        right = np.where(there.any(axis=0), alike.any(axis=0), True)
+        right = (there & _same(candidates.friction, share * own[:, None])).any(axis=0) | ~there.any(axis=0)
+    given = _given_torsion(choice, candidates)
+    if given is not None:
+        right &= _same(candidates.torsions, given)
     return checked(claim, bool(right.all()), f"{len(right) - right.sum()} of {len(right)} have another")
+
+
+def _twist(choice: CandidateChoice) -> str:
+    """Where torsional friction comes from, in words."""
+    if choice.limited:
+        return ""  # limits may say it for each finger; whether they do is seen where the candidates are chosen again
+    if choice.patch is not None:
+        return f", torsional friction that of discs of {in_mm(choice.patch)} mm radius"
+    return "" if choice.torsion is None else f", torsional friction {in_mm(choice.torsion)} mm"
+
+
+def _given_torsion(choice: CandidateChoice, candidates: Contacts) -> Floats | None:
+    """The torsional friction that was given, less its error, shape (n,) [m]; None where geoms or limits say it."""
+    if choice.limited or (choice.torsion is None) == (choice.patch is None):
+        return None
+    if choice.torsion is not None:
+        return np.full(len(candidates), (1 - choice.friction_error) * choice.torsion)
+    return 2 / 3 * (choice.patch or 0.0) * candidates.friction
 
 
 def check_geoms(grasp: Grasp, rigid_object: Graspable | None) -> Check:

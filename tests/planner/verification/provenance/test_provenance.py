@@ -284,3 +284,22 @@ def test_a_forged_task_of_an_older_file_is_refused_by_both(
     assert run("grasp-verify", moved, "-q") == 5
     assert run("grasp-validate", moved, "-q") == 1
     assert says(capsys.readouterr().err, "it is false that the task is the preset 'axes6' of this object")
+
+
+def test_given_torsional_friction_is_checked_where_the_points_are_gone(tmp_path: Path) -> None:
+    (tmp_path / "jaws.csv").write_text("0.001,0.02,0\n0,-0.02,0.001\n0.03,0,0\n")
+    out = tmp_path / "box.grasp.json"
+    given = ["--fingers", 2, "--candidates", tmp_path / "jaws.csv", "--friction-error", 0.1, "--out", out, "--quiet"]
+    for said in (("--patch", 0.004), ("--torsion", 0.002)):
+        assert run("grasp-plan", ASSETS / "box" / "box.xml", *given, *said) == 0
+        (tmp_path / "jaws.csv").rename(tmp_path / "gone.csv")
+        assert [result for result, _ in results(read_grasp(out)).values()] == [Result.NOT_CHECKED]
+        document = document_of(out)
+        document["certificate"]["candidates"]["torsion"][2] *= 0.5
+        out.write_text(json.dumps(document))
+        wrong = {
+            claim: detail for claim, (result, detail) in results(read_grasp(out)).items() if result is Result.FAILS
+        }
+        ((claim, detail),) = wrong.items()
+        assert "torsional friction" in claim and claim.endswith("less 0.1 of it") and detail == "1 of 3 have another"
+        (tmp_path / "gone.csv").rename(tmp_path / "jaws.csv")
