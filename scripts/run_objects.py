@@ -1,7 +1,8 @@
-"""Every object of a folder, planned and validated with 3 and 4 fingers on two tasks: one table.
+"""Every object of a folder, planned and validated with several numbers of fingers on several tasks: one table.
 
     python scripts/run_objects.py                      # this project's own objects
     python scripts/run_objects.py DIR --out objects.md
+    python scripts/run_objects.py --fingers 2 --tasks gravity --patch 0.004
 
 An object is a folder's MJCF file that no other file of the folder includes. Exits non-zero if any verdict is not pass
 or anything cannot be read.
@@ -19,37 +20,41 @@ from xml.etree import ElementTree
 import mujoco
 import tyro
 
-from planner.candidates.choice import make_candidates
-from planner.candidates.confirmed import confirmed_candidates
 from planner.errors import ObjectError, RhograspError
 from planner.files.atomic_write import require_writable, write_atomically
-from planner.grasp_problem import GraspProblem
+from planner.grasp_problem import GraspRequest, pose_problem
 from planner.grasps.grasp import Grasp
-from planner.objects.mjcf.reader import read_object
-from planner.objects.rigid_object import RigidObject
+from planner.objects.graspable import Graspable
+from planner.objects.object_source import ObjectSource
 from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.search.result import Status
-from planner.task import make_task
 from planner.terminal.command_line import ExitCode, parse, run
 from planner.terminal.console import Console
 from sim.validation.validation import Validation, validate
 
 ASSETS = Path(__file__).resolve().parents[1] / "assets"
-FINGERS = (3, 4)
-TASKS = ("gravity", "paper")
 HEADER = "| object | task | fingers | candidates | rho [N] | gap | plan [s] | verdict | measured / predicted rho |"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Plan and validate every object of a folder with 3 and 4 fingers on two tasks, and print a table."""
+    """Plan and validate every object of a folder, by default with 3 and 4 fingers on two tasks, and print a table."""
 
     folder: tyro.conf.Positional[Path] = ASSETS
     """Folder of objects, one in each of its folders; by default this project's own."""
 
-    candidates: int = 300
-    """Evenly spread candidates per object."""
+    fingers: tuple[int, ...] = (3, 4)
+    """Numbers of fingers."""
+
+    tasks: tuple[str, ...] = ("gravity", "paper")
+    """Tasks, as `grasp-plan` takes them."""
+
+    candidates: str | None = None
+    """Where fingers may go, as `grasp-plan` takes it."""
+
+    patch: float | None = None
+    """Radius in metres of the disc that every fingertip presses flat; by default fingers are hard."""
 
     time_limit: float = 300.0
     """Seconds after which a search stops with the gap it has."""
@@ -100,23 +105,26 @@ def _included(path: Path) -> set[Path]:
 
 
 def rows(path: Path, options: Options) -> Iterator[Row]:
-    """The four lines of an object, or one with the reason why there are none."""
+    """The lines of an object, or one with the reason why there are none, or no more."""
     name = path.relative_to(options.folder.resolve()).parts[0]
     try:
-        rigid_object = read_object(path)
-        spread = make_candidates(rigid_object, str(options.candidates), None, seed=0)
-        candidates = confirmed_candidates(rigid_object, spread).candidates
-        for task_name, fingers in product(TASKS, FINGERS):
-            task = make_task(task_name, rigid_object)
+        for task, fingers in product(options.tasks, options.fingers):
+            request = GraspRequest(
+                source=ObjectSource(file=path),
+                task=task,
+                candidates=options.candidates,
+                fingers=fingers,
+                patch=options.patch,
+            )
+            problem = pose_problem(request)
             began = perf_counter()
-            search = CertifiedSearch(time_limit=options.time_limit)
-            grasp = plan(GraspProblem(rigid_object, task, candidates, fingers), search)
-            yield row(f"{name} | {task_name} | {fingers}", rigid_object, grasp, perf_counter() - began, options)
+            grasp = plan(problem, CertifiedSearch(time_limit=options.time_limit))
+            yield row(f"{name} | {task} | {fingers}", problem.rigid_object, grasp, perf_counter() - began, options)
     except RhograspError as error:
         yield Row(f"| {name} | {error} |", good=False)
 
 
-def row(label: str, rigid_object: RigidObject, grasp: Grasp, seconds: float, options: Options) -> Row:
+def row(label: str, rigid_object: Graspable, grasp: Grasp, seconds: float, options: Options) -> Row:
     """One grasp, validated."""
     left = f"| {label} | {grasp.search.candidates}"
     if not grasp.found:
@@ -141,7 +149,7 @@ def run_objects(options: Options, console: Console) -> ExitCode:
         require_writable(options.out)
     lines, good = [HEADER, "|---" * HEADER.count(" | ") + "|---|"], True
     console.say("\n".join(lines))
-    files, per_object = objects(options.folder), len(TASKS) * len(FINGERS)
+    files, per_object = objects(options.folder), len(options.tasks) * len(options.fingers)
     for number, path in enumerate(files):
         console.count(f"grasps ({path.stem})", number * per_object, len(files) * per_object)
         for done, each in enumerate(rows(path, options), start=number * per_object + 1):
