@@ -63,7 +63,8 @@ def check_friction(grasp: Grasp, rigid_object: Graspable | None) -> Check:
     else:
         there = _parts_at(rigid_object, candidates.points, candidates.normals)
         own = np.array([part.friction for part in rigid_object.parts])
-        right = (there & _same(candidates.friction, share * own[:, None])).any(axis=0) | ~there.any(axis=0)
+        alike = there & _same(candidates.friction, share * own[:, None])
+        right = np.where(there.any(axis=0), alike.any(axis=0), True)
     given = _given_torsion(choice, candidates)
     if given is not None:
         right &= _same(candidates.torsions, given)
