@@ -57,15 +57,17 @@ def remedies(grasp: Grasp, with_pads: Grasp | None = None) -> list[str]:
     if is_hard_pair(grasp):
         if _lines_left(grasp):
             helping.append(
-                "candidates opposite each other, so that the line through them meets the load, listed in a CSV file "
-                "(--candidates)"
+                "candidates opposite each other, so that the line through them meets the load (--candidates "
+                "antipodal:300), or listed in a CSV file"
             )
         helping += [_pads(grasp, with_pads), "a third finger"]
     elif (pair := _soft_pair(grasp)) is not None:
         if _turns(grasp, pair):
             helping.append("fingertips that resist turning more: larger pads (--patch) or a larger --torsion")
         if _opposes(grasp, pair):
-            helping.append("candidates opposite each other: more of them, or listed in a CSV file (--candidates)")
+            helping.append(
+                "candidates opposite each other: more of them (--candidates antipodal:3000), or listed in a CSV file"
+            )
         helping.append("a third finger")
     if grasp.search.candidates < CANDIDATES_PER_FINGER * grasp.search.fingers:
         helping.append(f"more candidates: {grasp.search.candidates} are few for {grasp.search.fingers} fingers")

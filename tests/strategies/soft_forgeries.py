@@ -71,7 +71,7 @@ SOFT_FORGERIES = (
         alter=put(LISTED, lambda rows: rows[1:]),
         noticed=READING,
     ),
-    Forgery(name="torsion forgotten everywhere", alter=twist_where_nothing_twists, noticed=OBJECT),
+    Forgery(name="torsion forgotten everywhere", alter=twist_where_nothing_twists, noticed=READING),
     Forgery(name="torques: one turned round", alter=put("torques/0/0", times(-1)), noticed=PROOF),
     Forgery(name="torques: halved", alter=put("torques", times(0.5)), noticed=PROOF),
     Forgery(name="torques: none", alter=put("torques", None), noticed=PROOF),

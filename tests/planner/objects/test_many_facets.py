@@ -52,10 +52,10 @@ def test_a_ball_of_80_000_facets_is_read_and_gets_candidates_in_a_gigabyte(tmp_p
 
 
 INSPECT = """
-import os, resource, sys
-from planner.commands.start import inspect
+import resource
+from planner.commands.inspect import main
 try:
-    inspect()
+    main()
 finally:
     used = resource.getrusage(resource.RUSAGE_SELF)
     print(used.ru_utime + used.ru_stime, 1024 * used.ru_maxrss)

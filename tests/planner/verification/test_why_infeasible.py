@@ -58,7 +58,7 @@ def test_pairs_beside_the_load_are_infeasible_and_opposite_ones_help_as_said() -
     assert says(reason, "has one for every pair of these 4 candidates")
     assert "whichever" not in reason and "wherever" not in reason
     opposite, pads, third = remedies(grasp)[:3]
-    assert says(opposite, r"opposite each other.*listed in a CSV file \(--candidates\)$")
+    assert says(opposite, r"opposite each other.*--candidates antipodal:300\), or listed in a CSV file$")
     assert says(pads, r"fingertips that resist turning: --patch 0.004 \(pads of 4 mm radius\), or --torsion; torsion")
     assert third == "a third finger"
     assert planned(BESIDE + OPPOSITE, [DOWN]).rho == pytest.approx(np.hypot(78.4, 39.2), rel=1e-6)
@@ -174,7 +174,7 @@ def test_soft_fingers_that_do_not_oppose_each_other_are_said_so_and_opposite_one
     lean = np.arctan(np.hypot(0.08, 0.04) / 0.16) - np.arctan(0.5) - np.arcsin(0.004 / np.linalg.norm(apart))
     assert missed == float(f"{np.degrees(lean):.2g}")
     assert remedies(grasp)[:2] == [
-        "candidates opposite each other: more of them, or listed in a CSV file (--candidates)",
+        "candidates opposite each other: more of them (--candidates antipodal:3000), or listed in a CSV file",
         "a third finger",
     ]
     assert planned(SKEW + OPPOSITE, ALL_AROUND, torsion=0.002).status is Status.OPTIMAL
