@@ -15,7 +15,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import nnls
 
 from planner.arrays import Floats, Indices
 from planner.grasps.grasp import Certificate
@@ -68,6 +67,8 @@ def loads_cancel(wrenches: Floats, length: float) -> bool:
         wrenches: Shape (l, 6) [N, N m].
         length: Makes moments comparable with forces [m].
     """
+    from scipy.optimize import nnls  # here: few plans are infeasible, and all would wait for it
+
     loads = wrenches[wrenches.any(axis=1)] / np.repeat([1.0, length], 3)
     loads /= np.abs(loads).max()
     _, rest = nnls(np.vstack([loads.T, np.ones(len(loads))]), np.append(np.zeros(6), 1.0))

@@ -8,7 +8,8 @@ from scipy.spatial.transform import Rotation
 
 import sim.trial.feed_forward
 from planner.arrays import Floats
-from planner.contacts import Contacts, grasp_maps
+from planner.contact_models.hard_finger import HardFinger
+from planner.contacts import Contacts
 from planner.objects.parts.box import Box
 from planner.objects.parts.capsule import Capsule
 from planner.objects.parts.cylinder import Cylinder
@@ -69,12 +70,13 @@ def test_friction_five_percent_above_the_planned_is_noticed() -> None:
 
 
 def test_a_planner_with_the_wrong_sign_of_moment_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
-    def wrong(points: Floats, reference_point: Floats) -> Floats:
-        maps = grasp_maps(points, reference_point)
-        maps[:, 3:] *= -1
-        return maps
+    class Mirrored(HardFinger):
+        def maps(self, contacts: Contacts, reference_point: Floats) -> Floats:
+            maps = super().maps(contacts, reference_point)
+            maps[:, 3:] *= -1
+            return maps
 
-    monkeypatch.setattr(sim.trial.feed_forward, "grasp_maps", wrong)
+    monkeypatch.setattr(sim.trial.feed_forward, "model_of", lambda _: Mirrored())
     assert not prism().validated().verdict
 
 
