@@ -114,7 +114,7 @@ class Contacts:
             ContactError: When the friction is not one positive number per contact.
         """
         changed = replace(self, friction=friction)
-        return changed if self.torsion is None else replace(changed, torsion=self.torsion / self.friction * friction)
+        return changed if self.torsion is None else replace(changed, torsion=self.torsion * (friction / self.friction))
 
     def subset(self, indices: Indices) -> "Contacts":
         """The contacts at `indices`, shape (m,), in that order."""

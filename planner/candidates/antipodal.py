@@ -63,10 +63,7 @@ def antipodal_candidates(
         drawn += len(one)
         if sum(map(len, seconds)) >= wanted:
             break
-    points, part, facet = (
-        np.stack([np.concatenate(each) for each in ends], axis=1)
-        for ends in zip(*(_arrays(found) for found in (firsts, seconds)), strict=True)
-    )
+    points, part, facet = (np.stack(ends, axis=1) for ends in zip(_joined(firsts), _joined(seconds), strict=True))
     if not len(points):
         raise CandidateError(
             f"no two places oppose each other within their friction cones, of {drawn} that were tried: two fingers "
@@ -80,9 +77,13 @@ def antipodal_candidates(
     return candidates_at(rigid_object, points, part, facet, friction)
 
 
-def _arrays(found: list[Candidates]) -> tuple[list[Floats], list[Indices], list[Indices]]:
-    """Points, parts and facets of several sets of candidates."""
-    return [each.contacts.points for each in found], [each.part for each in found], [each.facet for each in found]
+def _joined(found: list[Candidates]) -> tuple[Floats, Indices, Indices]:
+    """Points, parts and facets of several sets of candidates, one after another."""
+    return (
+        np.concatenate([each.contacts.points for each in found]),
+        np.concatenate([each.part for each in found]),
+        np.concatenate([each.facet for each in found]),
+    )
 
 
 def _partners(

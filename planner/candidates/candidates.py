@@ -140,8 +140,7 @@ class Candidates:
             raise CandidateError(
                 f"the friction error is {error}; it is a share, 0 or more and below 1, for example 0.1"
             )
-        torsion = None if self.contacts.torsion is None else self.contacts.torsion * (1 - error)
-        contacts = replace(self.contacts, friction=self.contacts.friction * (1 - error), torsion=torsion)
+        contacts = self.contacts.with_friction(self.contacts.friction * (1 - error))
         return replace(self, contacts=contacts, friction_error=error).chosen(friction_error=error)
 
     def chosen(self, **how: Any) -> "Candidates":

@@ -34,8 +34,8 @@ ALLOWED = (
 
 EVEN_USUAL, PAIRS_USUAL = "300", f"{ANTIPODAL}300"
 """What is chosen unless the user says otherwise: for any number of fingers, and for two in space. Measured on mug, box,
-bracket and drill with three tasks: 300 points in opposed pairs give two soft fingers a rho as small as 1,000 evenly
-spread ones do, within 0.3 %."""
+bracket and drill with three tasks, the drill with two of them: 300 points in opposed pairs give two soft fingers about
+the rho of 1,000 evenly spread ones."""
 
 
 def make_candidates(

@@ -218,7 +218,7 @@ def _friction(rigid_object: Graspable, candidates: Candidates) -> str:
 def _torsion(problem: GraspProblem) -> str:
     """The torsional friction and who says so."""
     choice, limits = problem.candidates.choice, problem.limits
-    if any(finger.torsion is not None or finger.patch is not None for finger in limits.fingers):
+    if any(finger.twist_is_said for finger in limits.fingers):
         source = " (of the limits)"
     elif choice is not None and choice.patch is not None:
         source = f", that of discs of {in_mm(choice.patch, 3)} mm radius, evenly pressed"

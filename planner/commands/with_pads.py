@@ -32,8 +32,7 @@ def planned_with_pads(
         None where it is not about two hard fingers, where limits say how the fingers twist, or the object is too small
         for such pads.
     """
-    said = any(finger.torsion is not None or finger.patch is not None for finger in problem.limits.fingers)
-    if said or not is_hard_pair(grasp):
+    if any(finger.twist_is_said for finger in problem.limits.fingers) or not is_hard_pair(grasp):
         return None
     padded = replace(problem, candidates=problem.candidates.twisting(None, PAD))
     if torsion_doubts(problem.rigid_object, padded.candidates.contacts):

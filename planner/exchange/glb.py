@@ -11,12 +11,12 @@ import numpy as np
 import trimesh
 
 from planner.arrays import Floats
-from planner.contacts import contact_frames
 from planner.errors import GraspFileError
 from planner.files.atomic_write import write_atomically
 from planner.grasps.grasp import Grasp
 from planner.grasps.lift import in_space
 from planner.objects.graspable import Graspable
+from planner.objects.vectors import unit_arc
 
 CONE_HEIGHT = 0.1
 """Height of a drawn friction cone, relative to the object's size."""
@@ -123,11 +123,8 @@ def _arrow(tip: Floats, force: Floats, radius: float) -> trimesh.Trimesh:
 
 def _arc(center: Floats, axis: Floats, share: float, size: float) -> trimesh.Trimesh:
     """A part of a full arc about a unit axis, right-handed, with a head; `size` is the object's."""
-    _, first, second = contact_frames(axis[None])[0].T
-    angles = np.linspace(0, share * FULL_TURN, 1 + max(1, round(share * ARC_PIECES)))
-    circle = np.outer(np.cos(angles), first) + np.outer(np.sin(angles), second)
+    circle, heading = unit_arc(axis, share * FULL_TURN, max(1, round(share * ARC_PIECES)))
     points = center + TORQUE_RADIUS * size * circle
     rods = [trimesh.creation.cylinder(radius=SHAFT * size, segment=ends, sections=12) for ends in pairwise(points)]
     length = min(5 * SHAFT, TORQUE_RADIUS * share * FULL_TURN) * size
-    heading = np.cross(axis, circle[-1])
     return trimesh.util.concatenate([*rods, _arrow(points[-1] + length * heading, length * heading, SHAFT * size)])

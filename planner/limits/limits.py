@@ -125,6 +125,11 @@ class Finger(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     patch: float | None = None
     """Or the radius of the disc that it presses flat [m]."""
 
+    @property
+    def twist_is_said(self) -> bool:
+        """Whether it says how the finger resists turning."""
+        return self.torsion is not None or self.patch is not None
+
     def __post_init__(self) -> None:
         _positive("a finger's strength", self.strength)
         require_one_torsion(self.torsion, self.patch, LimitsError)

@@ -13,6 +13,7 @@ in that of 2.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -43,8 +44,11 @@ class TwoContacts:
     some pair opposes each other."""
 
 
+@lru_cache(maxsize=2)
 def measure_pairs(certificate: Certificate, task: Task) -> TwoContacts | None:
     """The measures over all pairs that keep kinds, spacing and span; None where there are too many candidates.
+
+    Reasons and remedies both ask, of a grasp and of the same one with pads: the last two answers are kept.
 
     Args:
         certificate: Its candidates, in space.

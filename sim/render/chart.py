@@ -41,7 +41,7 @@ class Chart:
         Args:
             sheet: Where to draw.
             times: Of every step, shape (steps,) [s].
-            gone: Of every simulation, see `gone` in `recording`, each of shape (steps,); the first is drawn on top.
+            gone: Of every simulation, see `Measurement.gone`, each of shape (steps,); the first is drawn on top.
             colors: Of every simulation's curve.
             step: The last that is known.
         """
@@ -64,7 +64,7 @@ class Chart:
         for column in np.arange(self.left, self.right, 2 * DASH).tolist():
             sheet.line([(column, row), (min(column + DASH, self.right), row)], 1.0, SLIPPED)
         sheet.text(self.left + 6, row - 7, f"slipped: above {allowed:g}", SMALL, SLIPPED)
-        spin = f", or spin / {self.protocol.spin_tolerance / allowed:g} rad" if self.soft else ""
+        spin = f", or spin / {self.protocol.spin_of_reach:g} rad" if self.soft else ""
         sheet.text(self.left, self.top - 11, f"largest slip of a fingertip / R0, {WHAT_R0_IS}{spin}", SMALL, INK)
 
     def _time_axis(self, sheet: Sheet) -> None:

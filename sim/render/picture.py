@@ -13,7 +13,7 @@ from sim.render.chart import Chart
 from sim.render.friction_words import friction_words
 from sim.render.palette import BACKGROUND, CONE, FORCE, HELD, INK, LINE, LOAD, MUTED, SLIPPED, rgb
 from sim.render.panel import Label, Panel
-from sim.render.recording import Recording, gone, known_outcome
+from sim.render.recording import Recording, known_outcome
 from sim.render.sheet import HIGH, Sheet
 
 LEAST, MOST = (640, 360), (3840, 2160)
@@ -143,7 +143,7 @@ class Picture:
             soft=self._soft,
         )
         colors = [HELD if held else SLIPPED for held in recording.measurement.held]
-        curves = [gone(measured, chart.protocol) for measured in self._measured]
+        curves = [measured.gone(chart.protocol) for measured in self._measured]
         chart.draw(sheet, recording.times, curves, colors, step)
 
     def _notes(self, sheet: Sheet, step: int) -> None:

@@ -3,7 +3,8 @@
 import numpy as np
 
 from planner.arrays import Floats
-from planner.contacts import Contacts, contact_frames
+from planner.contacts import Contacts
+from planner.objects.vectors import unit_arc
 
 ARROW = 0.34
 """Length of an arrow of rho, relative to the object's size, as on the report page."""
@@ -48,10 +49,8 @@ def arc(axis: Floats, share: float, size: float) -> tuple[Floats, Floats]:
         share: How much of the full arc.
         size: Its radius.
     """
-    _, first, second = contact_frames(axis[None])[0].T
-    angles = np.linspace(0, share * FULL_TURN, 1 + max(1, round(share * ARC_PIECES)))
-    points = size * (np.outer(np.cos(angles), first) + np.outer(np.sin(angles), second))
-    return points, np.cos(angles[-1]) * second - np.sin(angles[-1]) * first
+    points, heading = unit_arc(axis, share * FULL_TURN, max(1, round(share * ARC_PIECES)))
+    return size * points, heading
 
 
 def twists(torques: Floats, contacts: Contacts) -> Floats:

@@ -78,7 +78,7 @@ class Recording:
     def summary(self) -> list[str]:
         """What happened, one line per simulation."""
         measured, protocol = self.measurement, self.experiment.protocol
-        ends = zip(measured.caps, measured.held, gone(measured, protocol), strict=True)
+        ends = zip(measured.caps, measured.held, measured.gone(protocol), strict=True)
         return [
             f"wrench {self.wrench} with the cap at {cap / self.need:g} of the {self.need:.5g} N it needs: "
             f"{outcome(held, slip, protocol)}; {self.slip_words(measured, row)}"
@@ -146,7 +146,7 @@ class Recording:
 
 def known_outcome(measured: Measurement, step: int, protocol: ValidationProtocol) -> str:
     """How a simulation, judged after every step, has ended by one of them, in a word; empty while that is open."""
-    slip = float(gone(measured, protocol)[step])
+    slip = float(measured.gone(protocol)[step])
     if slip < protocol.slip_tolerance and step < len(measured.held) - 1:
         return ""
     return outcome(bool(measured.held[step]), slip, protocol)
@@ -157,14 +157,6 @@ def outcome(held: bool, slip: float, protocol: ValidationProtocol) -> str:
     if held:
         return "held"
     return "slipped" if slip >= protocol.slip_tolerance else "lost"
-
-
-def gone(measured: Measurement, protocol: ValidationProtocol) -> Floats:
-    """The largest slip over R0, or the largest spin where that is more of what a hold allows, shape (simulations,).
-
-    A spin counts as the slip that is the same part of its tolerance.
-    """
-    return np.maximum(measured.slip, measured.spin * (protocol.slip_tolerance / protocol.spin_tolerance))
 
 
 def record(

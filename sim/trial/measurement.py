@@ -69,6 +69,13 @@ class Measurement:
         """Largest spin of a loaded soft finger, shape (simulations,) [rad]; zero where none is."""
         return np.where(self.loaded, self.spins, 0.0).max(axis=1)
 
+    def gone(self, protocol: ValidationProtocol) -> Floats:
+        """The largest slip over R0, or the largest spin where that is more of what a hold allows, shape (simulations,).
+
+        A spin counts as the slip that is the same part of its tolerance.
+        """
+        return np.maximum(self.slip, self.spin / protocol.spin_of_reach)
+
     def rows(self, selection: slice) -> "Measurement":
         """The selected simulations."""
         return Measurement(**{name: values[selection] for name, values in vars(self).items()})

@@ -118,6 +118,11 @@ class ValidationProtocol(Physics, FingerLaw):
     creep_tolerance: float = 2e-5
     """Largest slip of fingers that only squeeze, relative to the reach: a fifth of what a slip is."""
 
+    @property
+    def spin_of_reach(self) -> float:
+        """The spin that is as much of what a hold allows as a slip of the reach is [rad]."""
+        return self.spin_tolerance / self.slip_tolerance
+
     def lost(self, state: FinalState) -> Mask:
         """Which objects moved too far to come back, shape (simulations,)."""
         far = self.gone * self.motion_tolerance

@@ -5,7 +5,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from planner.arrays import Floats, Mask
+from planner.arrays import Mask
 from planner.millimetres import in_mm
 from sim.trial.measurement import Measurement
 from sim.trial.protocol import ValidationProtocol
@@ -62,7 +62,7 @@ def unheld(vertices: Measurement, limited: Mask, reach: float, protocol: Validat
     failed = np.flatnonzero(~vertices.held & ~limited)
     if not failed.size:
         return ()
-    worst = int(failed[_by_tolerance(vertices, protocol)[failed].argmax()])
+    worst = int(failed[vertices.gone(protocol)[failed].argmax()])
     lost = np.flatnonzero(vertices.lost[worst])
     allowed = protocol.motion_tolerance
     moved = in_mm(reach * vertices.translations[worst], 2)
@@ -76,8 +76,3 @@ def unheld(vertices: Measurement, limited: Mask, reach: float, protocol: Validat
         f"{np.rad2deg(vertices.rotations[worst]):.2g} degrees (allowed {in_mm(reach * allowed, 2)} mm, "
         f"{np.rad2deg(allowed):.2g} degrees){touch}",
     )
-
-
-def _by_tolerance(vertices: Measurement, protocol: ValidationProtocol) -> Floats:
-    """Slip or spin, whichever is worse, in what is allowed, shape (simulations,)."""
-    return np.maximum(vertices.slip / protocol.slip_tolerance, vertices.spin / protocol.spin_tolerance)

@@ -26,7 +26,7 @@ class Chart:
         self._curves = (playback.recording.times, *np.log10(np.clip(slips, 10**lowest, 10**highest)))
         lines = [_line("held", HELD) if good else _line("slipped", SLIPPED) for good in held]
         soft = playback.subject.contacts.torsions.any()
-        spin = f", or of the spin over {protocol.spin_tolerance / protocol.slip_tolerance:g} rad," if soft else ","
+        spin = f", or of the spin over {protocol.spin_of_reach:g} rad," if soft else ","
         self._title = gui.add_markdown(f"log10 of the largest slip over R0{spin} over time [s]; R0 is {WHAT_R0_IS}")
         self._node = gui.add_uplot(
             data=self._known(0),

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from planner.arrays import Floats
 from sim.render.drawn_motion import DrawnPose, drawn_pose, motion_factor
-from sim.render.recording import Recording, gone, known_outcome, record
+from sim.render.recording import Recording, known_outcome, record
 from sim.trial.measurement import Measurement
 from sim.view.subject import Subject
 
@@ -34,8 +34,8 @@ class Playback:
 
     @property
     def gone(self) -> list[Floats]:
-        """How far the fingertips are gone, see `recording.gone`, of every simulation, each of shape (steps,)."""
-        return [gone(measured, self.recording.experiment.protocol) for measured in self.measured]
+        """How far the fingertips are gone, see `Measurement.gone`, of every simulation, each of shape (steps,)."""
+        return [measured.gone(self.recording.experiment.protocol) for measured in self.measured]
 
     def pose(self, step: int, simulation: int, factor: float = 1.0) -> DrawnPose:
         """Where everything is at a step, its motion so many times larger, and the measured forces."""

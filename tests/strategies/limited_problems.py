@@ -8,6 +8,7 @@ from math import dist
 
 import numpy as np
 
+from planner.arrays import Floats
 from planner.contacts import Contacts
 from planner.forces.minimax import MinimaxForces
 from planner.forces.problem import ForceProblem
@@ -80,6 +81,11 @@ def allowed(problem: SearchProblem, subset: tuple[int, ...]) -> bool:
     pairs = list(combinations([points[index] for index in subset], 2))
     apart = not problem.kinds or all(a != b for a, b in pairs)
     return apart and all(problem.spacing <= dist(a, b) <= problem.span for a, b in pairs)
+
+
+def unlike_all(points: Floats, earlier: list[Floats], apart: float) -> bool:
+    """Whether of a grasp's contacts, shape (m, d), some is that far [m] from all contacts of each earlier grasp."""
+    return all(max(min(dist(p, q) for q in before) for p in points) >= apart for before in earlier)
 
 
 def least_level(problem: SearchProblem, forces: type[ReferenceForces] | type[MinimaxForces] = ReferenceForces) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 from planner.arrays import Floats, Indices, Mask
 from planner.candidates.candidates import CandidateChoice
+from planner.contact_models.soft_finger import torsion_of_patch
 from planner.contacts import Contacts
 from planner.grasps.grasp import Grasp
 from planner.millimetres import in_mm, point_in_mm
@@ -86,7 +87,7 @@ def _given_torsion(choice: CandidateChoice, candidates: Contacts) -> Floats | No
         return None
     if choice.torsion is not None:
         return np.full(len(candidates), (1 - choice.friction_error) * choice.torsion)
-    return 2 / 3 * (choice.patch or 0.0) * candidates.friction
+    return torsion_of_patch(choice.patch or 0.0, candidates.friction)
 
 
 def check_geoms(grasp: Grasp, rigid_object: Graspable | None) -> Check:

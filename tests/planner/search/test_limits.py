@@ -21,7 +21,7 @@ from planner.search.problem import SearchProblem
 from planner.search.result import Status
 from planner.verification.bound_check import Claim, check_bound
 from planner.verification.proof_check import certificate_of
-from tests.strategies.limited_problems import opposite_problem
+from tests.strategies.limited_problems import opposite_problem, unlike_all
 from tests.strategies.search_problems import random_problem
 
 GAP = 1e-3
@@ -216,10 +216,7 @@ def test_grasps_apart_are_each_the_best_unlike_those_before() -> None:
             unlike = [
                 rho
                 for subset, rho in values.items()
-                if all(
-                    max(min(np.linalg.norm(points[i] - points[j]) for j in before) for i in subset) >= apart
-                    for before in earlier
-                )
+                if unlike_all(points[list(subset)], [points[each] for each in earlier], apart)
             ]
             assert grasp.rho == pytest.approx(min(unlike), rel=1e-6)
             earlier.append(grasp.subset)

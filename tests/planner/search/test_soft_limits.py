@@ -21,6 +21,7 @@ from planner.search.paper import PaperSearch
 from planner.search.problem import SearchProblem
 from planner.search.tie_break import tie_break
 from scripts.search_benchmark.competitors.mixed_integer_cone import solve_as_cone_program
+from tests.strategies.limited_problems import unlike_all
 from tests.strategies.soft_problems import soft_problem
 
 PAIRS = [seed for seed in range(120) if soft_problem(seed).fingers == 2]
@@ -87,10 +88,7 @@ def test_soft_grasps_apart_are_each_the_best_unlike_those_before() -> None:
             unlike = [
                 rho
                 for subset, rho in values.items()
-                if all(
-                    max(min(np.linalg.norm(points[i] - points[j]) for j in before) for i in subset) >= apart
-                    for before in earlier
-                )
+                if unlike_all(points[list(subset)], [points[each] for each in earlier], apart)
             ]
             assert grasp.rho == pytest.approx(min(unlike), rel=1e-5)
             earlier.append(grasp.subset)

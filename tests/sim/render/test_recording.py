@@ -17,7 +17,7 @@ from planner.planning import plan
 from planner.search.certified import CertifiedSearch
 from planner.task import make_task
 from sim.render.drawn_motion import drawn_pose
-from sim.render.recording import FAR, Recording, gone, known_outcome, outcome, record
+from sim.render.recording import FAR, Recording, known_outcome, outcome, record
 from sim.trial.protocol import ACTIVE
 from tests.strategies.planar_grasps import planned
 
@@ -100,11 +100,11 @@ def test_another_wrench_is_shown_around_what_it_needs_itself(
 
 def test_a_spin_counts_as_the_slip_that_is_as_much_of_what_a_hold_allows(recording: Recording) -> None:
     rows = recording.measurement
-    np.testing.assert_array_equal(gone(rows, ACTIVE), rows.slip)  # hard fingers spin as they like
+    np.testing.assert_array_equal(rows.gone(ACTIVE), rows.slip)  # hard fingers spin as they like
     for part in (0.99, 1.01):
         spins = np.full_like(rows.slips, part * ACTIVE.spin_tolerance)
         spinning = replace(rows, slips=0 * rows.slips, spins=spins, held=np.full(2, part < 1))
-        assert gone(spinning, ACTIVE) == pytest.approx(part * ACTIVE.slip_tolerance)
+        assert spinning.gone(ACTIVE) == pytest.approx(part * ACTIVE.slip_tolerance)
         assert known_outcome(spinning, 0, ACTIVE) == ("" if part < 1 else "slipped")
 
 
